@@ -105,8 +105,12 @@ impl FilmCopies {
         let copies = FilmCopies {
             folder: env::temp_dir().join(name),
         };
-        // Not `create_dir_all`: a folder of this name may belong to another process.
-        fs::create_dir(&copies.folder)?;
+        // Not `recursive`: a folder of this name may belong to another process. Nobody else may
+        // read goldens that students don't have.
+        let mut folder = fs::DirBuilder::new();
+        #[cfg(unix)]
+        std::os::unix::fs::DirBuilderExt::mode(&mut folder, 0o700);
+        folder.create(&copies.folder)?;
         fs::copy(film, copies.folder.join(FILM))?;
         fs::copy(golden, copies.folder.join(GOLDEN))?;
         fs::copy(tolerance_path(golden), copies.folder.join(TOLERANCE))?;

@@ -89,23 +89,23 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "the ray meets only one object in the list",
-            "the ray meets no object in the list, or several",
-            hits == 1,
+            "the ray meets several objects in the list from min_t on",
+            "the ray meets at most one object in the list from min_t on",
+            hits > 1,
         ),
         Condition::new(
-            "the ray meets the first object in the list",
-            "the ray misses the first object in the list",
+            "the ray meets the first object in the list from min_t on",
+            "the ray doesn't meet the first object in the list from min_t on",
             is(found.first()),
         ),
         Condition::new(
-            "the ray meets the last object in the list",
-            "the ray misses the last object in the list",
+            "the ray meets the last object in the list from min_t on",
+            "the ray doesn't meet the last object in the list from min_t on",
             is(found.last()),
         ),
         Condition::new(
-            "the ray misses an object in the list",
-            "the ray meets every object in the list",
+            "there is an object in the list that the ray doesn't meet from min_t on",
+            "the ray meets every object in the list from min_t on",
             hits < objects.len(),
         ),
         Condition::new(

@@ -184,13 +184,13 @@ impl Question for BoxQuestion {
                 count(direction.cmpgt(DVec3::ZERO)) > 1,
             ),
             Condition::new(
-                "the ray enters through a face at the box's corner min",
-                "the ray does not enter through a face at the box's corner min",
+                "the ray enters through a face that touches the box's corner min",
+                "the ray does not enter through a face that touches the box's corner min",
                 along > 0.0,
             ),
             Condition::new(
-                "the ray enters through a face at the box's corner max",
-                "the ray does not enter through a face at the box's corner max",
+                "the ray enters through a face that touches the box's corner max",
+                "the ray does not enter through a face that touches the box's corner max",
                 along < 0.0,
             ),
         ]
@@ -208,11 +208,11 @@ impl Question for BoxQuestion {
         };
         vec![
             (
-                "the smallest of min_t and the t at which the ray enters each slab",
+                "the smallest of min_t and the three t at which the ray enters a slab",
                 at(entry.fold(self.min_t, f64::min)),
             ),
             (
-                "the greatest of min_t and the t at which the ray leaves each slab",
+                "the greatest of min_t and the three t at which the ray leaves a slab",
                 at(exit.fold(self.min_t, f64::max)),
             ),
             ("the t at which the ray leaves the box", at(leave)),

@@ -126,7 +126,7 @@ pub struct Check {
 ///
 /// For each pixel, film.exr holds the id of the object that the ray hits, the ray's parameter t at
 /// the hit, and the surface normal there. id.png, depth.png and normal.png show these three in
-/// false colours. If Mitsuba has rendered the scene too, depth.png has the scale of colours of
+/// false colours. If Mitsuba has rendered the scene too, depth.png uses the same colours as
 /// Mitsuba's depth picture, so you can compare the two. If the assignment counts how often rays are
 /// tested against boxes and triangles, tests.png shows how many tests each pixel took, and
 /// expected-tests.png shows how many each pixel takes with the reference answers.
@@ -248,7 +248,7 @@ pub struct Diff {
     pub film: PathBuf,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write pictures of both films and of their difference to this folder, and report.html, which
+    /// Write to this folder pictures of both films and of their difference, and a report.html that
     /// shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,

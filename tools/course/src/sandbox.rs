@@ -216,6 +216,15 @@ impl Sandbox {
         }
     }
 
+    /// Whether another user of the machine must be able to reach programs and their sources.
+    pub fn needs_access(&self) -> bool {
+        match self {
+            #[cfg(target_os = "linux")]
+            Sandbox::Container(_) => true,
+            _ => false,
+        }
+    }
+
     /// The sandbox's name, for results.
     pub fn name(&self) -> &'static str {
         match self {

@@ -221,8 +221,8 @@ pub struct Merge {
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
 /// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use the
 /// repository, students need only Rust and a linker. The repository contains neither solutions nor
-/// the wrong answers that `check` uses to recognise mistakes. Of the scenes with `public = false`,
-/// it reveals only how many points they are worth in total.
+/// the wrong answers that `check` uses to recognise mistakes. About scenes with `public = false`, it
+/// reveals only how many points they are worth in total.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -258,8 +258,8 @@ pub struct Handout {
     /// be new or empty. Keep it private: it contains all goldens and the reference solution
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
-    /// Have the autograder also ask the questions in this folder, which students have never seen,
-    /// because public ones can be memorised. To make such a folder, run
+    /// Have the autograder also ask the questions in this folder. Students must never have seen
+    /// them, because known questions can be memorised. To make such a folder, run
     /// `pinhole golden render --seed random --out DIR`
     #[arg(long, value_name = "DIR", requires = "autograder")]
     pub fresh: Option<PathBuf>,
@@ -282,12 +282,12 @@ pub struct Handout {
 /// - every known mistake must fail in exactly the tasks that it declares, and so must its rewrite
 ///   with another algorithm, if it has one;
 ///
-/// - the hint of every mistake must be short and easy to read, and have an example in numbers;
+/// - the hint for every mistake must be short and easy to read, and include an example with numbers;
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
-///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, which
-///   says where the answers of each differ from the reference's. A search for such differences must
-///   agree with what the file says.
+///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml,
+///   which also says for which inputs, if any, each of them gives other answers than the reference.
+///   A search for such inputs must confirm this.
 ///
 /// The tables show how many mistakes each group of questions and each scene catches, how many it
 /// alone catches, and how small an error each scene detects. The exit code is 0 if every target is

@@ -20,10 +20,11 @@ pub fn printable_word(word: &str) -> String {
 
 /// One cell of a table, made safe for a terminal and for a spreadsheet, which could take a name for
 /// a formula. If the spreadsheet splits cells at semicolons, there may be a formula after a
-/// semicolon, too.
+/// semicolon, too, perhaps in quotes.
 pub fn printable_cell(cell: &str) -> String {
     let cell = printable(cell);
-    let part = |part: &str| match part.trim_start().starts_with(is_formulas) {
+    let is_blank = |c: char| c.is_whitespace() || c == '"';
+    let part = |part: &str| match part.trim_start_matches(is_blank).starts_with(is_formulas) {
         true => format!("'{part}"),
         false => part.to_owned(),
     };
@@ -119,9 +120,12 @@ mod tests {
             "|calc",
             "x;=HYPERLINK(\"http\",\"a\")",
             "x; =1",
+            "x;\"=1+1;y",
         ] {
             let safe = printable_cell(cell);
-            let is_formula = |part: &str| part.trim_start().starts_with(is_formulas);
+            let is_skipped = |c: char| c.is_whitespace() || c == '"';
+            let is_formula =
+                |part: &str| part.trim_start_matches(is_skipped).starts_with(is_formulas);
             assert!(!safe.split(';').any(is_formula), "{safe}");
             assert!(!safe.contains(char::is_control), "{safe}");
         }

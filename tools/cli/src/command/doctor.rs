@@ -221,7 +221,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     };
     Finding::optional(
         "sandbox",
-        "to run other people's code, with `grade` or with `check` and a folder outside the repository",
+        "to run other people's code: with `grade`, or with `check` on a folder outside the repository",
         found,
         &remedy,
     )

@@ -12,7 +12,7 @@ use super::blame::{self, Diagnostic};
 use super::harness::Harness;
 use super::prune;
 use crate::error::{Error, Result, ResultExt};
-use crate::private::allow;
+use crate::private::{allow, make_private};
 use crate::sandbox::{CommandResult, Limits, Sandbox};
 use crate::timings::timed;
 
@@ -84,7 +84,10 @@ pub fn build(
     let (src, out) = (fresh.join("src"), fresh.join("out"));
     fs::create_dir_all(&out)
         .and_then(|()| fs::create_dir_all(&src))
-        .and_then(|()| allow(programs, 0o711))
+        .and_then(|()| match sandbox.needs_access() {
+            true => allow(programs, 0o711),
+            false => make_private(programs),
+        })
         .or_fail(&failed)?;
     for folder in [&fresh, &src, &out] {
         allow(folder, 0o755).or_fail(&failed)?;

@@ -446,7 +446,8 @@ impl<'a> PartFinding<'a> {
                         format!(
                             "{about} {is} wrong {of}{where_}; in about {:.0} % of the wrong ones, \
                              {it} {said}.",
-                            percent.clamp(1.0, 99.0)
+                            percent.clamp(1.0, 99.0),
+                            said = said.replacen("always ", "", 1)
                         )
                     }
                 }

@@ -12,7 +12,7 @@ use super::budget::Budget;
 use super::confine;
 use super::host_paths::HostPaths;
 use super::syscalls::Purpose;
-use super::toolchain::{libraries, linker, sysroot};
+use super::toolchain::{libraries, library_names, linker, sysroot};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::Result;
@@ -27,6 +27,9 @@ pub struct Bubblewrap {
     /// The user that the code runs as if we are root. Otherwise, the code runs as our own user,
     /// which has another number inside.
     uid: Option<UserId>,
+    /// What the system binds of `/usr` for a program that answers. If it could look at more files,
+    /// it could leave messages in the kernel's cache of their names.
+    libraries: Vec<(PathBuf, PathBuf)>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,
     /// What the submission may still take.
@@ -54,6 +57,7 @@ impl Bubblewrap {
         let walls = Bubblewrap {
             host_paths: HostPaths::new(checkout, &sysroot, None),
             sysroot,
+            libraries: library_names(),
             pinhole: std::env::current_exe()?,
             uid: uid.map_err(|error| io::Error::other(error.problem))?,
             budget: Budget::default(),
@@ -90,9 +94,10 @@ impl Bubblewrap {
     /// Checks that a program can run inside.
     pub fn self_test(&self) -> io::Result<()> {
         let limits = Limits::of_compiler();
-        let mut command = self.bare();
-        self.confine(&mut command, &limits, Purpose::Answer);
+        let mut command = self.bare(Purpose::Answer);
         let program = "/usr/bin/true";
+        bind(&mut command, "--ro-bind", Path::new(program));
+        self.confine(&mut command, &limits, Purpose::Answer);
         command.args(["--read", program, "--", program]);
         let output = command.output()?;
         match output.status.success() {
@@ -109,7 +114,7 @@ impl Bubblewrap {
         if let Some(uid) = self.uid() {
             chown(&out, Some(uid), Some(uid))?;
         }
-        let mut command = self.bare();
+        let mut command = self.bare(Purpose::Compile);
         // rustc and its linker find their own files through the link /proc/self/exe. Landlock
         // keeps them from reading anything else there.
         command.args(["--proc", "/proc"]);
@@ -136,7 +141,7 @@ impl Bubblewrap {
     /// A built program, ready to be asked. It gets no `/proc`, where safe Rust could write to its
     /// own memory.
     pub fn runner(&self, executable: &Path, limits: &Limits) -> Command {
-        let mut command = self.bare();
+        let mut command = self.bare(Purpose::Answer);
         command.arg("--ro-bind").arg(executable).arg(PROGRAM_INSIDE);
         self.confine(&mut command, limits, Purpose::Answer);
         command.args(["--read", PROGRAM_INSIDE, "--", PROGRAM_INSIDE]);
@@ -144,7 +149,7 @@ impl Bubblewrap {
     }
 
     /// Bubblewrap with the arguments that every program needs. Callers add more.
-    fn bare(&self) -> Command {
+    fn bare(&self, purpose: Purpose) -> Command {
         let mut command = Command::new(BWRAP);
         command.env_clear();
         let own = match self.uid {
@@ -157,10 +162,18 @@ impl Bubblewrap {
         let fixed = "--unshare-ipc --unshare-pid --unshare-net --unshare-uts \
              --unshare-cgroup-try --hostname submission --die-with-parent --new-session \
              --cap-drop ALL";
-        let files = "--ro-bind /usr /usr --symlink usr/lib /lib --symlink usr/lib64 /lib64 \
-             --symlink usr/bin /bin --dev /dev --remount-ro /dev";
+        let files = "--symlink usr/lib /lib --symlink usr/lib64 /lib64 --symlink usr/bin /bin \
+             --dev /dev --remount-ro /dev";
         command.args(fixed.split_whitespace());
         command.args(own.split_whitespace());
+        match purpose {
+            Purpose::Compile => bind(&mut command, "--ro-bind", Path::new("/usr")),
+            Purpose::Answer => {
+                for (file, name) in &self.libraries {
+                    bind_as(&mut command, "--ro-bind", file, name);
+                }
+            }
+        }
         command.args(files.split_whitespace());
         command
             .arg("--ro-bind")
@@ -202,11 +215,15 @@ fn counts_by_namespace() -> bool {
 }
 
 fn bind(command: &mut Command, how: &str, path: &Path) {
+    bind_as(command, how, path, path);
+}
+
+fn bind_as(command: &mut Command, how: &str, path: &Path, inside: &Path) {
     // Without this, bubblewrap would make parent folders that only root may enter. It leaves
     // existing folders alone.
-    let above: Vec<&Path> = path.ancestors().skip(1).collect();
+    let above: Vec<&Path> = inside.ancestors().skip(1).collect();
     for folder in above.into_iter().rev() {
         command.args(["--perms", "0755", "--dir"]).arg(folder);
     }
-    command.arg(how).arg(path).arg(path);
+    command.arg(how).arg(path).arg(inside);
 }

@@ -1,5 +1,6 @@
 //! Finds the compiler and its linker.
 
+use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -40,6 +41,21 @@ pub fn linker(sysroot: &Path) -> Vec<OsString> {
         arguments.extend(["-Clink-arg=-fuse-ld=lld".into(), place]);
     }
     arguments
+}
+
+/// The names of [`libraries`] below `/usr`, each with the file that it stands for. Programs load
+/// libraries by names that may be links.
+pub fn library_names() -> Vec<(PathBuf, PathBuf)> {
+    let files = libraries().into_iter();
+    let files: BTreeSet<PathBuf> = files.filter(|file| file.starts_with("/usr")).collect();
+    let folders = files.iter().filter_map(|file| file.parent());
+    let mut folders: BTreeSet<&Path> = folders.collect();
+    // The dynamic linker's name is there.
+    folders.insert(Path::new("/usr/lib64"));
+    let entries = folders.into_iter().flat_map(fs::read_dir).flatten();
+    let names = entries.flatten().map(|entry| entry.path());
+    let named = names.filter_map(|name| Some((fs::canonicalize(&name).ok()?, name)));
+    named.filter(|(file, _)| files.contains(file)).collect()
 }
 
 /// The libraries that a program needs to start. They are those that this program uses, because it

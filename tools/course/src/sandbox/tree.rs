@@ -95,6 +95,11 @@ pub fn end_all_of(uid: u32) {
     }
 }
 
+/// Whether a user has any process.
+pub fn is_used(uid: u32) -> bool {
+    !processes_of(uid, Signal::KILL).is_empty()
+}
+
 /// The processes of a user that a signal has not reached yet.
 fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
     let done = match signal {

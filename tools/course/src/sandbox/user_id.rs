@@ -5,7 +5,7 @@
 //! releases the lock when the process ends, however it ends.
 
 use std::fs::{DirBuilder, File, OpenOptions, Permissions, TryLockError};
-use std::io;
+use std::io::{self, Write};
 use std::os::unix::fs::{DirBuilderExt, OpenOptionsExt, PermissionsExt};
 use std::path::Path;
 use std::sync::Arc;
@@ -17,7 +17,18 @@ use crate::error::{Error, Result, ResultExt};
 #[derive(Clone, Debug)]
 pub struct UserId {
     number: u32,
-    _lock: Arc<File>,
+    _lock: Arc<Lock>,
+}
+
+/// The locked file of an id. It is empty unless the id is in use, or a grader that used it was
+/// killed.
+#[derive(Debug)]
+struct Lock(File);
+
+impl Drop for Lock {
+    fn drop(&mut self) {
+        let _taken_for_a_killed_graders = self.0.set_len(0);
+    }
 }
 
 /// Ids that no distribution gives to people, services or containers. They are below 65536,
@@ -34,14 +45,23 @@ impl UserId {
     /// # Errors
     /// If the locks can't be written, or all ids are taken.
     pub fn reserve() -> Result<UserId> {
-        let id = UserId::reserve_in(Path::new(LOCKS), FIRST..=LAST)?;
-        // An earlier grader may have been killed. Then its lock is free, but its code may still
-        // run.
-        tree::end_all_of(id.number);
-        Ok(id)
+        UserId::reserve_in(Path::new(LOCKS), FIRST..=LAST, |id, is_left| {
+            // The code of a killed grader may still run. All other processes belong to somebody
+            // else, such as a grader in a container with its own `/run`.
+            if is_left {
+                tree::end_all_of(id);
+            }
+            !tree::is_used(id)
+        })
     }
 
-    fn reserve_in(locks: &Path, mut ids: impl Iterator<Item = u32>) -> Result<UserId> {
+    /// Reserves the first id that is free. `is_free` also gets to know whether the id was left by a
+    /// killed grader.
+    fn reserve_in(
+        locks: &Path,
+        mut ids: impl Iterator<Item = u32>,
+        is_free: impl Fn(u32, bool) -> bool,
+    ) -> Result<UserId> {
         let failed = Error::environment(
             format!("cannot reserve a user id in {}", locks.display()),
             "let root write there (in Apptainer: --writable-tmpfs), because each submission runs \
@@ -54,7 +74,7 @@ impl UserId {
             .create(locks)
             .or_fail(&failed)?;
         std::fs::set_permissions(locks, Permissions::from_mode(0o700)).or_fail(&failed)?;
-        ids.find_map(|number| lock(locks, number).transpose())
+        ids.find_map(|number| lock(locks, number, &is_free).transpose())
             .transpose()
             .or_fail(&failed)?
             .ok_or_else(|| {
@@ -71,20 +91,29 @@ impl UserId {
     }
 }
 
-/// Locks an id; `None` if another process has it.
-fn lock(locks: &Path, number: u32) -> io::Result<Option<UserId>> {
+/// Locks an id; `None` if another process has it, or it is not free.
+fn lock(
+    locks: &Path,
+    number: u32,
+    is_free: &impl Fn(u32, bool) -> bool,
+) -> io::Result<Option<UserId>> {
     // The file is closed in programs that we start, because otherwise they would hold the lock too.
     let mut options = OpenOptions::new();
     options.write(true).create(true).truncate(false).mode(0o600);
     let file = options.open(locks.join(number.to_string()))?;
     match file.try_lock() {
-        Ok(()) => Ok(Some(UserId {
-            number,
-            _lock: Arc::new(file),
-        })),
-        Err(TryLockError::WouldBlock) => Ok(None),
-        Err(TryLockError::Error(error)) => Err(error),
+        Ok(()) => {}
+        Err(TryLockError::WouldBlock) => return Ok(None),
+        Err(TryLockError::Error(error)) => return Err(error),
     }
+    let is_left = file.metadata()?.len() > 0;
+    let mut lock = Lock(file);
+    if !is_free(number, is_left) {
+        return Ok(None);
+    }
+    lock.0.write_all(b"used")?;
+    let _lock = Arc::new(lock);
+    Ok(Some(UserId { number, _lock }))
 }
 
 #[cfg(test)]
@@ -95,7 +124,7 @@ mod tests {
     fn an_id_is_given_to_one_holder_at_a_time_and_returned() {
         let folder = tempfile::tempdir().unwrap();
         let locks = folder.path().join("locks");
-        let reserve = || UserId::reserve_in(&locks, 7..=8);
+        let reserve = || UserId::reserve_in(&locks, 7..=8, |_, _| true);
         let (first, second) = (reserve().unwrap(), reserve().unwrap());
         assert_eq!((first.number(), second.number()), (7, 8));
         let refused = reserve().unwrap_err();
@@ -105,6 +134,25 @@ mod tests {
         assert!(reserve().is_err(), "a clone holds it");
         drop(clone);
         assert_eq!(reserve().unwrap().number(), 7);
+    }
+
+    #[test]
+    fn only_what_a_killed_grader_left_is_ended() {
+        let folder = tempfile::tempdir().unwrap();
+        let left = std::cell::Cell::new(None);
+        let reserve = |used: u32| {
+            UserId::reserve_in(folder.path(), 7..=8, |id, is_left| {
+                left.set(Some((id, is_left)));
+                id != used
+            })
+        };
+        // Somebody else's process has the id 7.
+        assert_eq!(reserve(7).unwrap().number(), 8);
+        drop(reserve(0).unwrap());
+        assert_eq!(left.get(), Some((7, false)));
+        std::fs::write(folder.path().join("7"), "used").unwrap();
+        assert_eq!(reserve(0).unwrap().number(), 7);
+        assert_eq!(left.get(), Some((7, true)));
     }
 
     #[test]
@@ -121,7 +169,8 @@ mod tests {
         let mut stdin = other.stdin.take().unwrap();
         stdin.write_all(b"x").unwrap();
         other.stdout.take().unwrap().read_exact(&mut [0]).unwrap();
-        let reserve = || UserId::reserve_in(folder.path(), 7..=8).unwrap().number();
+        let reserve = || UserId::reserve_in(folder.path(), 7..=8, |_, _| true);
+        let reserve = || reserve().unwrap().number();
         assert_eq!(reserve(), 8);
         drop(stdin);
         other.wait().unwrap();

@@ -49,9 +49,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         (false, None) if earlier.exists() => {
             let class = Roll::read(&earlier)?;
             replace::refuse_chosen_names(&roll, &class)?;
+            replace::refuse_other_policy(&roll, &class, true)?;
             roll.into_class(class)
         }
         (true, None) => {
+            if let Ok(class) = Roll::read(&earlier) {
+                replace::refuse_other_policy(&roll, &class, false)?;
+            }
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them";
             replace::refuse_partial_class(&roll, &earlier, one)?;
@@ -273,9 +277,7 @@ fn programs(sandbox: &Sandbox, checkout: &Checkout, cache: &ResultCache) -> Resu
     let name = provenance::sha256(out.as_os_str().as_encoded_bytes());
     let programs = grading.join(&name[..16]);
     let _absent = fs::remove_dir_all(&programs);
-    // In a container, the user that runs the code must be able to reach the folder, but can't list
-    // the one around it.
-    if grading.starts_with(checkout.scratch()) {
+    if !sandbox.needs_access() {
         fs::create_dir_all(&grading)
             .and_then(|()| make_private(&grading))
             .or_fail(&Error::file(&grading))?;

@@ -54,6 +54,12 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         if !withheld.is_empty() {
             words.push_str(&format!("withheld scenes: {}\n", withheld.join(", ")));
         }
+        if arguments.book.is_none() {
+            words.push_str(
+                "without the book; to include it: cargo pinhole book build, then run this command \
+                 again with --book book/build/student\n",
+            );
+        }
         words.push_str(&format!(
             "\ntry it as students will:\n\n    cd {}\n    cargo pinhole check\n    \
              cargo test\n\nthen hand it out: as a git repository (git init, git add . and git \

@@ -5,6 +5,7 @@ use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
+use std::time::SystemTime;
 
 use rayon::prelude::*;
 
@@ -42,6 +43,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     }
     let made_with = OnceLock::new();
     let version = provenance::of_assignment(&assignment, checkout)?;
+    let newest = parts.iter().max_by_key(|part| part.written);
+    let now = |id: &String| newest.and_then(|part| part.answers.get(id)?.as_ref());
     let results = roll.entries.par_iter_mut().map(|entry| {
         let Some(Merged {
             record,
@@ -54,14 +57,19 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         // Another part may list an earlier or a later submission of this name.
         *entry = graded.clone();
         let is_old = record.provenance.made_with.assignment != version;
+        let is_earlier = record.is_graded() && now(&entry.id) != entry.answers.as_ref();
+        let earlier = is_earlier.then(|| entry.id.clone());
         let result = kept(record, &cache, &assignment, is_old)?;
-        Ok(Some((result, others)))
+        Ok(Some((result, others, earlier)))
     });
-    let results: Vec<Option<(QueueResult, Vec<Change>)>> = results.collect::<Result<_>>()?;
+    let results: Vec<Option<(QueueResult, Vec<Change>, Option<String>)>> =
+        results.collect::<Result<_>>()?;
     let mut records = BTreeMap::new();
     let mut run = RunSummary::default();
     let mut are_old = false;
-    for (result, others) in results.into_iter().flatten() {
+    for (result, others, earlier) in results.into_iter().flatten() {
+        let why = "its mark is for earlier answers; grade the part again that it belongs to";
+        run.faults.extend(earlier.map(|id| (id, why.into())));
         run.changes.extend(others);
         run.changes.extend(result.change);
         are_old |= result.fault.is_some();
@@ -87,10 +95,17 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
 /// One of the folders that are merged.
 struct Part<'a> {
     folder: &'a Path,
+    /// When its roll was written.
+    written: Option<SystemTime>,
+    /// The answers of everyone in the class at that time, by the submission's id.
+    answers: BTreeMap<String, Option<Answers>>,
     /// The submissions whose results it has, by id. The folder is listed only once, because looking
     /// for each submission in each part is slow on a shared file system.
     entries: BTreeMap<String, Entry>,
 }
+
+/// The hashes of a submission's answers: see [`Entry::answers`].
+type Answers = Vec<(String, String)>;
 
 /// A submission's result in the merged class.
 struct Merged<'a> {
@@ -171,9 +186,6 @@ fn merged<'a>(
 /// Puts the files of a part's result into the merged class. False if the part has stored another
 /// result meanwhile.
 fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) -> Result<bool> {
-    let to = cache.of(&record.id);
-    // If this process is killed meanwhile, no result is beside another one's report.
-    let _is_first = fs::remove_file(to.join("result.json"));
     let report = from.join("report.html");
     if !report.is_file() {
         return Err(Error::input(
@@ -181,6 +193,9 @@ fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) 
             "grade that part again",
         ));
     }
+    let to = cache.of(&record.id);
+    // If this process is killed meanwhile, no result is beside another one's report.
+    let _is_first = fs::remove_file(to.join("result.json"));
     let evidence = Evidence::file(&record.id);
     match part.join(&evidence).is_file() {
         true => link(&part.join(&evidence), &cache.path(&evidence))?,
@@ -224,9 +239,15 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
         let names = submissions.into_iter().flatten().flatten();
         let ids: BTreeSet<OsString> = names.map(|it| it.file_name()).collect();
         let entries = roll.entries.iter();
+        let answers = entries
+            .clone()
+            .map(|it| (it.id.clone(), it.answers.clone()));
+        let answers = answers.collect();
         let entries = entries.filter(|entry| ids.contains(OsStr::new(&entry.id)));
         parts.push(Part {
             folder: shard,
+            written: fs::metadata(&path).and_then(|it| it.modified()).ok(),
+            answers,
             entries: entries.map(|it| (it.id.clone(), it.clone())).collect(),
         });
         common = Some(roll);

@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Make the films with each known mistake again, beside existing goldens; doesn't need Mitsuba
+/// Find out again what each known mistake changes in existing goldens; doesn't need Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
 /// recognise the mistake. `golden render` does this too. Use this command when only mistakes have

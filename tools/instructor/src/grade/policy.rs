@@ -15,9 +15,11 @@ use jiff::{Timestamp, tz::TimeZone};
 use serde::{Deserialize, Serialize};
 
 use self::rules::Rules;
+use super::intake::matching::is_id;
 use super::intake::roster::Person;
 use super::intake::table::Table;
 use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_report::escape::printable_cell;
 
 /// The rules, and the contents of the files that they name.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
@@ -118,6 +120,18 @@ impl Policy {
         })
     }
 
+    /// The groups whose name is the id or login of somebody else. A submission with such a name
+    /// counts as that person's.
+    pub fn misnamed_groups(&self, people: &[Person]) -> Vec<String> {
+        let is_misnamed = |group: &&Group| {
+            let is_other = |person: &&Person| !group.members.contains(&person.id);
+            let others: Vec<Person> = people.iter().filter(is_other).cloned().collect();
+            is_id(&group.name, &others)
+        };
+        let misnamed = self.groups.iter().filter(is_misnamed);
+        misnamed.map(|group| group.name.clone()).collect()
+    }
+
     /// The time zone that the rules are in.
     pub fn zone(&self) -> TimeZone {
         let zone = times::zone(self.rules.time_zone.as_deref());
@@ -136,7 +150,9 @@ impl Policy {
         let by_hand = self.rules.adjust.iter().map(|by_hand| &by_hand.id);
         let grouped = self.groups.iter().flat_map(|group| &group.members);
         let all = self.extensions.keys().chain(by_hand).chain(grouped);
-        let is_stranger = |id: &&String| !people.iter().any(|person| person.id == **id);
+        let all = all.chain(self.spent.keys());
+        let is = |own: &str, id: &str| own == id || printable_cell(own) == id;
+        let is_stranger = |id: &&String| !people.iter().any(|person| is(&person.id, id));
         let mut all: Vec<String> = all.filter(is_stranger).cloned().collect();
         all.sort();
         all.dedup();
@@ -264,7 +280,6 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
 
 #[cfg(test)]
 mod tests {
-    use pinhole_report::escape::printable_cell;
 
     use super::*;
 
@@ -296,6 +311,23 @@ mod tests {
             fs::write(&path, list).expect("there is room");
             groups_in(&path).expect_err("nobody knows who is in the group");
         }
+    }
+
+    #[test]
+    fn a_group_named_like_somebody_elses_id_is_listed() {
+        let group = |name: &str, member: &str| Group {
+            name: name.into(),
+            members: vec![member.into()],
+        };
+        let policy = Policy {
+            groups: vec![group("ADA", "eve"), group("eve", "eve"), group("T", "ada")],
+            ..Policy::default()
+        };
+        let people = ["ada", "eve"].map(|id| Person {
+            id: id.into(),
+            ..Person::default()
+        });
+        assert_eq!(policy.misnamed_groups(&people), ["ADA"]);
     }
 
     #[test]
@@ -442,5 +474,12 @@ mod tests {
         .expect("there is room");
         let policy = Policy::read(&rules).expect("it is a policy");
         assert_eq!(ids.map(|id| policy.late_days_left(id)), [1, 1, 1]);
+        let person = |id: &str| Person {
+            id: id.into(),
+            ..Person::default()
+        };
+        let people = ids.map(person);
+        assert_eq!(policy.strangers(&people), [""; 0]);
+        assert_eq!(policy.strangers(&people[1..]), ["ada"]);
     }
 }

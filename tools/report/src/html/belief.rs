@@ -47,7 +47,7 @@ impl Beliefs {
         let most = diagnosis.beliefs.iter().map(|held| held.explained);
         let reading = one_of.then(|| {
             let share = share_of_what(most.fold(0.0, f64::max));
-            format!("One of these beliefs explains {share} is wrong here, but the answers don't tell which:")
+            format!("One of these beliefs explains {share} is wrong here, but the answers don't show which:")
         });
         let belief = |held: &Explanation| {
             let mistake = &held.mistake;

@@ -13,12 +13,13 @@ use serde_json::{Value, json};
 use super::Report;
 use super::cause::Cause;
 
-const TEMPLATES: [(&str, &str); 7] = [
+const TEMPLATES: [(&str, &str); 8] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("name.html", include_str!("../../templates/name.html")),
     ("task.html", include_str!("../../templates/task.html")),
     ("scene.html", include_str!("../../templates/scene.html")),
     ("beliefs.html", include_str!("../../templates/beliefs.html")),
+    ("read.html", include_str!("../../templates/read.html")),
     ("heat.html", include_str!("../../templates/heat.html")),
     ("tree.html", include_str!("../../templates/tree.html")),
 ];

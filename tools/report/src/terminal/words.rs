@@ -58,11 +58,11 @@ pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
     let file = format!("{}.rs", earlier.task);
     match &earlier.problem {
         None => format!(
-            "The scenes are cast with your {file} from `{}`.",
+            "The scenes are rendered with your {file} from `{}`.",
             earlier.assignment
         ),
         Some(problem) => format!(
-            "Your {file} from `{}` is not used, because {}. The scenes are cast with ours instead.",
+            "Your {file} from `{}` is not used, because {}. The scenes are rendered with ours instead.",
             earlier.assignment,
             printable(problem)
         ),
@@ -168,7 +168,7 @@ pub fn diagnosis(diagnosis: &Diagnosis) -> String {
     let mut lines = Vec::new();
     if diagnosis.reading == Reading::OneOf {
         lines.push(
-            "One of these beliefs explains what is wrong here, but the answers don't tell which:"
+            "One of these beliefs explains what is wrong here, but the answers don't show which:"
                 .into(),
         );
     }

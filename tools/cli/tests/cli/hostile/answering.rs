@@ -12,7 +12,7 @@ use pinhole_testing::root;
 
 /// Everything an answer must not reach. `%NAME%` stands for a value that differs from
 /// run to run.
-const REACHES: [(&str, &str); 33] = [
+const REACHES: [(&str, &str); 34] = [
     ("golden", "std::fs::metadata(\"%GOLDEN%\").is_ok()"),
     ("read-golden", "std::fs::read(\"%GOLDEN%\").is_ok()"),
     (
@@ -31,6 +31,10 @@ const REACHES: [(&str, &str); 33] = [
     (
         "system-file",
         "std::fs::File::open(\"/usr/bin/env\").is_ok()",
+    ),
+    (
+        "name-of-a-system-file",
+        "std::fs::metadata(\"/usr/bin/env\").is_ok()",
     ),
     ("home", "std::fs::read_dir(\"%HOME%\").is_ok()"),
     (
@@ -226,6 +230,7 @@ fn succeeds(mode: &str, attack: &str) -> bool {
             "other-submission",
             "etc",
             "system-file",
+            "name-of-a-system-file",
             "home",
             "top",
             "other-processes",
@@ -233,7 +238,13 @@ fn succeeds(mode: &str, attack: &str) -> bool {
             "command-lines",
         ]
         .contains(&attack),
-        modes::CONTAINER => ["golden", "golden-by-way-of-proc", "reference"].contains(&attack),
+        modes::CONTAINER => [
+            "golden",
+            "golden-by-way-of-proc",
+            "reference",
+            "name-of-a-system-file",
+        ]
+        .contains(&attack),
         modes::USER => attack == "thread-bomb",
         _ => false,
     }

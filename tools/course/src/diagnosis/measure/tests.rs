@@ -303,8 +303,8 @@ fn an_axis_with_a_law_is_described_beside_one_without() {
         normal.y += question.ray.direction.x.sin() * question.ray.origin.z.cos();
         Some(Intersection { normal, ..right })
     });
-    let law = "The normal along x is too large by 0.5, is right along z, and is wrong in another \
-               way along y, in all 200 hits.";
+    let law = "The normal along x is too large by 0.5, is right along z, and is also wrong \
+               along y, in all 200 hits.";
     assert_eq!(said[0], law);
 }
 

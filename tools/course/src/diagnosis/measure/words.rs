@@ -48,10 +48,10 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String
             match (right.is_empty(), unknown.is_empty()) {
                 (true, true) => told,
                 (false, true) => format!("{told}, and is right along {right}"),
-                (true, false) => format!("{told}, and is wrong in another way along {unknown}"),
-                (false, false) => format!(
-                    "{told}, is right along {right}, and is wrong in another way along {unknown}"
-                ),
+                (true, false) => format!("{told}, and is also wrong along {unknown}"),
+                (false, false) => {
+                    format!("{told}, is right along {right}, and is also wrong along {unknown}")
+                }
             }
         }
     }

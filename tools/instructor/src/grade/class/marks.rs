@@ -80,12 +80,19 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             give(policy, *person, &handed_in, rows, &mut open);
         }
     }
-    let strangers = policy.strangers(roll.people.as_deref().unwrap_or_default());
+    let people = roll.people.as_deref().unwrap_or_default();
+    let strangers = policy.strangers(people);
     let all = [
         (
             "named in the policy, but not on the roster",
             true,
             strangers,
+        ),
+        (
+            "groups with the id or login of somebody else, who gets what is handed in under that \
+             name; rename them in the table of groups",
+            true,
+            policy.misnamed_groups(people),
         ),
         (
             "with several submissions, but it is not known when they were handed in, so there is no \

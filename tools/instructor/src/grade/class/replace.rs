@@ -40,6 +40,23 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     ))
 }
 
+/// Refuses to change the rules for everyone while single submissions are graded, and to forget them.
+pub fn refuse_other_policy(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
+    let (new, old) = (&roll.policy, &class.policy);
+    let is_refused = match is_single {
+        true => new.is_some() && new != old,
+        false => new.is_none() && old.is_some(),
+    };
+    match is_refused {
+        false => Ok(()),
+        true => Err(Error::input(
+            "the class in the --out folder was graded with another policy",
+            "pass the same --policy as before; to change it for everyone, grade the whole class \
+             with the new one",
+        )),
+    }
+}
+
 /// Refuses to replace a submission by an archive whose author may have given it that name.
 pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
     let is_weaker = |new: &&Entry| {

@@ -92,9 +92,14 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         let titled = entry.signs.iter().flat_map(|sign| titled(sign, people));
         titled.map(|(title, _)| title.to_owned()).next()
     };
-    // An archive's author may have chosen a title that makes all others overlong.
-    let given = entries.iter().filter(|entry| entry.at_most == Proof::Id);
-    let titles: BTreeSet<String> = given.filter_map(title).collect();
+    // An archive's author may have chosen a title that makes all others overlong, and so may
+    // somebody whose login on GitHub can be read as the end of a title and another login.
+    let is_sure = |entry: &&Entry| {
+        let titled = entry.signs.iter().flat_map(|sign| titled(sign, people));
+        entry.at_most == Proof::Id && titled.take(2).count() == 1
+    };
+    let sure = entries.iter().filter(is_sure);
+    let titles: BTreeSet<String> = sure.filter_map(title).collect();
     let titles: BTreeSet<&str> = titles.iter().map(String::as_str).collect();
     // If no other name begins like this, nothing shows where the title ends and the login begins.
     let is_lone = |title: &&str| {

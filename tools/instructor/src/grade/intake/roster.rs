@@ -130,6 +130,13 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         }
         // Moodle writes `Participant 2001`, or the same in another language.
         let number = cell(number).trim_start_matches(|c: char| !c.is_ascii_digit());
+        let is_same = |other: &&Person| other.number.as_deref() == Some(number);
+        if let Some(other) = people.iter().find(is_same) {
+            return Err(format!(
+                "{} and {name} have the same number, {number}",
+                other.name
+            ));
+        }
         people.push(Person {
             id: own,
             name,
@@ -186,6 +193,14 @@ mod tests {
         is_of_zoe_and_ada(&utf16(PLAIN, b"\xff\xfe"));
         is_of_zoe_and_ada(&utf16(PLAIN, b""));
         is_of_zoe_and_ada(&latin);
+    }
+
+    #[test]
+    fn two_people_with_one_number_are_refused() {
+        let twins = "id,name,number\n1,Ada,7\n2,Bob,7\n";
+        let error = people(twins.as_bytes()).expect_err("nobody knows whose it is");
+        assert!(error.contains("the same number, 7"), "{error}");
+        assert!(people(twins.replace('7', "").as_bytes()).is_ok());
     }
 
     #[test]

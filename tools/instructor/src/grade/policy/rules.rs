@@ -180,6 +180,13 @@ impl Rules {
                 return Err(format!("it has `{what}`, but no `deadline`"));
             }
         }
+        if (self.deadline.is_some() || !self.extensions.is_empty()) && self.time_zone.is_none() {
+            return Err(
+                "a deadline needs `time_zone`, such as Europe/Berlin, because the times in the \
+                 names of submissions are local times"
+                    .into(),
+            );
+        }
         if self.late_days.is_some() && self.late.is_none() {
             return Err(
                 "it has `late_days`, but no `late`, so late days would have no effect".into(),

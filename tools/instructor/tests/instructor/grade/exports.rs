@@ -125,6 +125,22 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     on_small_assignment(&["merge", &out, "--policy", &milder, "--out", &merged]).expect_code(1);
     let csv = class.read("merged/grades.csv");
     assert_eq!(cell(&csv, "2", "final"), "95", "{csv}");
+    // A single submission doesn't change the policy for everyone, and no run forgets it.
+    let one = class.path("github/hw1-alan-turing");
+    let single = [
+        "grade",
+        "--no-fresh",
+        "--out",
+        &out,
+        &one,
+        "--policy",
+        &milder,
+    ];
+    for line in [&single[..], &[&line[..], &["--out", &out]].concat()] {
+        on_small_assignment(line)
+            .expect_code(2)
+            .expect_err("graded with another policy");
+    }
     #[cfg(unix)]
     {
         use std::os::unix::fs::PermissionsExt;

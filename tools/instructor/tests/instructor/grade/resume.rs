@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane};
 use pinhole_testing::{fresh, pinhole, program_of, root, small_assignment, trusted};
@@ -157,7 +157,8 @@ fn shards_merge_to_the_grades_of_one_run() {
     class.grade("wrong", &["--shard", "2/2"]).expect_code(1);
     let wrong = class.path("wrong");
     on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged])
-        .expect_code(1)
+        .expect_code(3)
+        .expect_out("the old mark remains: dora: its mark is for earlier answers")
         .expect_out("changed: dora: ");
 
     // A merged mark replaces the fault of an earlier attempt to grade again, and the evidence for an
@@ -166,7 +167,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     let evidence = |out: &str| class.folder.join(out).join("evidence/dora.json");
     fs::remove_file(evidence("2-2")).expect("it was graded");
     fs::write(&fault, "{}").expect("writable");
-    on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged]).expect_code(1);
+    on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged]).expect_code(3);
     assert!(!fault.exists());
 
     // A merge does not replace another class.
@@ -234,6 +235,26 @@ fn merge_gives_the_points_that_the_parts_are_worth_now() {
     pinhole(&[&grade[..], &now].concat())
         .expect_code(3)
         .expect_out(&format!("the old mark remains: dora: it was {old}"));
+}
+
+#[test]
+fn a_merge_lists_marks_for_answers_that_were_handed_in_again() {
+    let class = Class::new("again");
+    for part in ["1", "2"] {
+        class.grade(part, &["--shard", &format!("{part}/2")]);
+    }
+    let (one, two, merged) = (class.path("1"), class.path("2"), class.path("merged"));
+    let merge = ["merge", &one, &two, "--out", &merged, "--json"];
+    let told = on_small_assignment(&merge).expect_code(1).json();
+    assert_eq!(told["faults"], json!([]), "{told}");
+    // The job that should grade the second part again dies before it starts.
+    class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
+    class.grade("1", &["--shard", "1/2"]);
+    let told = on_small_assignment(&merge).expect_code(3).json();
+    assert_eq!(told["faults"][0][0], "ada", "{told}");
+    class.grade("2", &["--shard", "2/2"]);
+    let told = on_small_assignment(&merge).expect_code(1).json();
+    assert_eq!(told["faults"], json!([]), "{told}");
 }
 
 #[test]

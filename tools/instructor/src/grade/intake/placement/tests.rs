@@ -294,6 +294,26 @@ fn a_name_that_may_be_a_login_is_listed() {
 }
 
 #[test]
+fn a_login_that_ends_like_the_title_makes_nobody_else_uncertain() {
+    let mut people = people();
+    people.truncate(2);
+    people[0].github = Some("ada".into());
+    people[1].github = Some("grace".into());
+    people.push(Person {
+        github: Some("casting-ada".into()),
+        ..person("s3", "Eve Evil")
+    });
+    let names = ["ada", "grace", "casting-ada"].map(|it| format!("ray-casting-{it}"));
+    let placed = place(
+        &entries(&names.each_ref().map(String::as_str)),
+        Some(&people),
+    );
+    assert_eq!(placed.of.len(), 1, "{placed:?}");
+    assert_eq!(placed.of["ray-casting-grace"].id, people[1].id);
+    assert_eq!(placed.ambiguous.len(), 2);
+}
+
+#[test]
 fn a_login_after_a_title_that_no_other_repository_has_is_listed() {
     let mut people = people();
     people[0].github = Some("ada".into());

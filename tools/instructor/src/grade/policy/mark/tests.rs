@@ -35,7 +35,7 @@ fn judged(points: f64) -> JudgedPoints {
 
 const HOUR: i64 = 60;
 const DAY: i64 = 24 * HOUR;
-const DEADLINE: &str = "deadline = '2026-11-20 23:59'\n";
+const DEADLINE: &str = "time_zone = 'UTC'\ndeadline = '2026-11-20 23:59'\n";
 
 #[test]
 fn a_policy_changes_marks_as_it_says() {
@@ -148,7 +148,11 @@ fn rules_that_make_no_sense_are_refused_with_a_reason() {
             "deadline = 'x'\n[late]\npercent = 110\nper = 'day'\n",
             "not between 0 and 100",
         ),
-        ("deadline = 'x'\ngrace = 'soon'\n", "not a time like"),
+        (
+            "time_zone = 'UTC'\ndeadline = 'x'\ngrace = 'soon'\n",
+            "not a time like",
+        ),
+        ("deadline = '2026-11-20T23:59:00Z'\n", "needs `time_zone`"),
         ("[rounding]\nto = 0\n", "not a finite number above 0"),
         (
             "[[adjust]]\nid = 'a'\npoints = 1\nreason = ' '\n",
