@@ -58,18 +58,18 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         *entry = graded.clone();
         let is_old = record.provenance.made_with.assignment != version;
         let is_earlier = record.is_graded() && now(&entry.id) != entry.answers.as_ref();
-        let earlier = is_earlier.then(|| entry.id.clone());
         let result = kept(record, &cache, &assignment, is_old)?;
-        Ok(Some((result, others, earlier)))
+        Ok(Some((result, others, is_earlier)))
     });
-    let results: Vec<Option<(QueueResult, Vec<Change>, Option<String>)>> =
-        results.collect::<Result<_>>()?;
+    let results: Vec<Option<(QueueResult, Vec<Change>, bool)>> = results.collect::<Result<_>>()?;
     let mut records = BTreeMap::new();
     let mut run = RunSummary::default();
     let mut are_old = false;
-    for (result, others, earlier) in results.into_iter().flatten() {
-        let why = "its mark is for earlier answers; grade the part again that it belongs to";
-        run.faults.extend(earlier.map(|id| (id, why.into())));
+    for (result, others, is_earlier) in results.into_iter().flatten() {
+        if is_earlier {
+            let why = "its mark is for earlier answers; grade the part again that it belongs to";
+            run.faults.push((result.record.id.clone(), why.into()));
+        }
         run.changes.extend(others);
         run.changes.extend(result.change);
         are_old |= result.fault.is_some();
