@@ -119,6 +119,7 @@ pub fn ask_watched(
     let ended = exchange.converse(job, clock, MOST_MESSAGE, &mut |message| {
         if message == Message::Started {
             reply.start.get_or_insert(spawned.elapsed());
+            return Ok(Next::Receive);
         }
         let next = reply.take(job, message)?;
         if !matches!(next, Next::Send(_)) {

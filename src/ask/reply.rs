@@ -229,9 +229,7 @@ impl Reply {
                 self.ending = Ending::Unregistered(kind);
                 Ok(Next::End)
             }
-            // The asker notes when this comes.
-            Message::Started => Ok(Next::Receive),
-            Message::StillAt(_) => {
+            Message::StillAt(_) | Message::Started => {
                 Err("it reported its current question without being asked".into())
             }
             Message::Answers { answers, .. } if answers.is_empty() => {

@@ -184,13 +184,13 @@ impl Question for BoxQuestion {
                 count(direction.cmpgt(DVec3::ZERO)) > 1,
             ),
             Condition::new(
-                "the ray enters through a face that touches the box's corner min",
-                "the ray does not enter through a face that touches the box's corner min",
+                "the ray enters through a face that touches the box's min corner",
+                "the ray does not enter through a face that touches the box's min corner",
                 along > 0.0,
             ),
             Condition::new(
-                "the ray enters through a face that touches the box's corner max",
-                "the ray does not enter through a face that touches the box's corner max",
+                "the ray enters through a face that touches the box's max corner",
+                "the ray does not enter through a face that touches the box's max corner",
                 along < 0.0,
             ),
         ]

@@ -80,6 +80,6 @@ fn negative_min_t_is_refused() {
         "width = 2.0",
         "width = 2.0\nmin_t = ▶-0.5",
         "`min_t` is -0.5, behind the eye",
-        "give 0 (the eye) or more",
+        "use 0 (the eye) or more",
     );
 }

@@ -74,7 +74,8 @@ impl Command {
 /// compiled and run in a sandbox.
 ///
 /// `check` also writes a report, an HTML file with hints. For every scene that fails, the report
-/// shows the expected picture and yours. Click a pixel there to see what both returned.
+/// shows the expected picture and yours. Click a pixel to see what Mitsuba and your code
+/// each returned for it.
 #[derive(Args)]
 pub struct Check {
     /// The folder with the answer files, or a folder that has them in its `src` folder [default: the

@@ -23,8 +23,8 @@ pub enum Golden {
 /// can recognise the mistake.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
-/// its scenes, the films of its questions, and, for `validate --mutants`, more questions. In many
-/// of these, two values that the code compares are exactly equal.
+/// its scenes, the films of its questions, and more questions for `validate --mutants`, in
+/// many of which two values that the code compares are exactly equal.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
 /// close to a plane's horizon. If that happens, move the camera a little.

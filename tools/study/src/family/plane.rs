@@ -30,8 +30,8 @@ impl HasFamilies for Plane<f64> {
                 ask: |random, x, _| Self::plain(random).map(|l| l, |n| n * ten_to(x), |d| d, |t| t),
             },
             variations::threshold(
-                "distance of min_t from t = 10^−x of it",
-                "rays that may begin just before or just behind the plane",
+                "(distance of min_t from t) / t = 10^−x",
+                "rays whose min_t is just in front of the plane or just behind it",
             ),
         ]
     }

@@ -25,7 +25,7 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "ground",
                 axis: "radius / height of the eye = 10^x",
-                meaning: "a ball as large as a planet, seen from just above it towards its horizon",
+                meaning: "a ball as large as a planet, seen from just above its surface, looking towards the horizon",
                 exponents: |_| decades(9),
                 everyday: 4,
                 ask: |random, x, _| ground(random, ten_to(x)),
@@ -60,8 +60,8 @@ impl HasFamilies for Sphere<f64> {
             variations::offset(),
             variations::scale(),
             variations::threshold(
-                "distance of min_t from the near root = 10^−x of it",
-                "rays that may begin just before or just behind the near side",
+                "(distance of min_t from the near root) / near root = 10^−x",
+                "rays whose min_t is just in front of the near side or just behind it",
             ),
         ]
     }

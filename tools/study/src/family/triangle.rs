@@ -39,7 +39,7 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "edge-on",
                 axis: "angle between ray and triangle = 10^−x",
-                meaning: "rays that see a triangle more and more from the side",
+                meaning: "rays that meet a triangle more and more nearly edge-on",
                 exponents: |_| decades(16),
                 everyday: 2,
                 ask: |random, x, _| {
@@ -53,8 +53,8 @@ impl HasFamilies for Triangle<f64> {
             },
             Family {
                 name: "flat",
-                axis: "corners: 0 all alike, 1 two alike, 2 in a line, 3 in a line but for rounding",
-                meaning: "triangles without an area: no ray meets them",
+                axis: "corners: 0 all at one point, 1 two at one point, 2 in a line, 3 in a line but for rounding",
+                meaning: "triangles with zero area: no ray meets them",
                 exponents: |_| decades(3),
                 everyday: -1,
                 ask: |random, x, _| flat(random, x),
@@ -64,7 +64,7 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "scale",
                 axis: "size of the scene = 10^x",
-                meaning: "the same scene in other units: t should grow with it",
+                meaning: "the same scene in other units: t should grow in proportion",
                 exponents: scales,
                 everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
@@ -80,8 +80,8 @@ impl HasFamilies for Triangle<f64> {
                 },
             },
             variations::threshold(
-                "distance of min_t from t = 10^−x of it",
-                "rays that may begin just before or just behind the triangle",
+                "(distance of min_t from t) / t = 10^−x",
+                "rays whose min_t is just in front of the triangle or just behind it",
             ),
         ]
     }
