@@ -18,8 +18,8 @@ fn starts(lines: &str) -> (usize, Ending) {
 fn program_that_never_read_its_job_is_started_again() {
     let died = |code| Ending::Died(Death::Exit(code));
     assert_eq!(starts("exit 1"), (MOST_STARTS as usize, died(1)));
-    // The bytes are Message::Started.
-    let read = "printf '\\001\\0\\0\\0\\005' >&0; exit 3";
+    // It reads a byte, so that the job is sent. The bytes that it writes are Message::Started.
+    let read = "dd bs=1 count=1 of=/dev/null; printf '\\001\\0\\0\\0\\005' >&0; exit 3";
     assert_eq!(starts(read), (1, died(3)));
 }
 

@@ -130,7 +130,8 @@ fn paths_behind_long_words_take_little_memory() {
     let processor_seconds = || rustix::time::clock_gettime(ClockId::ThreadCPUTime).tv_sec;
     let start = processor_seconds();
     of_text("plane", &listed);
-    let (took, more) = (processor_seconds() - start, most() - before);
+    // The kernel's count may be a little behind, and so fall.
+    let (took, more) = (processor_seconds() - start, most().saturating_sub(before));
     assert!(more < 200 << 10, "{more} KiB");
     assert!(took < 2, "{took} s");
 }
