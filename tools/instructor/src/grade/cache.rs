@@ -310,16 +310,16 @@ mod tests {
         assert_eq!(cache.get("ada"), Some(record.clone()));
         // Storing the second grade fails before or after the old report is gone.
         let report = cache.of("ada").join("report.html");
-        for (spoilt, old) in [
+        for (blocked, old) in [
             (report, Some(record.clone())),
             (cache.path(&Evidence::file("ada")), None),
         ] {
-            fs::remove_file(&spoilt).expect("it is there");
-            fs::create_dir(&spoilt).expect("there is room");
+            fs::remove_file(&blocked).expect("it is there");
+            fs::create_dir(&blocked).expect("there is room");
             let failed = cache.put(&graded("ada", 0, 1), "second", &evidence);
             assert!(failed.is_err());
             assert_eq!(cache.get("ada"), old);
-            fs::remove_dir(&spoilt).expect("it is empty");
+            fs::remove_dir(&blocked).expect("it is empty");
         }
     }
 
