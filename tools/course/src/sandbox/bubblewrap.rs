@@ -27,8 +27,8 @@ pub struct Bubblewrap {
     /// The user that the code runs as if we are root. Otherwise, the code runs as our own user,
     /// which has another number inside.
     uid: Option<UserId>,
-    /// What the system binds of `/usr` for a program that answers. If it could look at more files,
-    /// it could leave messages in the kernel's cache of their names.
+    /// The files of `/usr` that a program that answers can see, each with its name inside. If it
+    /// could look for other files, it could leave messages in the kernel's cache of names.
     libraries: Vec<(PathBuf, PathBuf)>,
     /// Paths that the code's author must not see.
     pub host_paths: HostPaths,

@@ -189,7 +189,7 @@ fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) 
     let report = from.join("report.html");
     if !report.is_file() {
         return Err(Error::input(
-            format!("there is no report in {}", from.display()),
+            format!("{} has no report", from.display()),
             "grade that part again",
         ));
     }
