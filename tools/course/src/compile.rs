@@ -228,9 +228,10 @@ impl Compiler {
                 } = self;
                 match build(&sources, &shown_in, programs, harness, &self.sandbox)? {
                     BuildResult::Refused {
-                        is_starved: true, ..
+                        disturbed_by: Some(why),
+                        ..
                     } if !self.stops_when_late => Err(Error::environment(
-                        "other work kept the compiler from running",
+                        why,
                         "run this command again when the machine is less busy",
                     )),
                     built => {

@@ -71,8 +71,8 @@ impl SandboxOptions {
 /// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Stop a task or a scene after this many seconds, or if the code goes without answering for
-    /// 2 s or a fifteenth of this limit, whichever is longer
+    /// Stop a task or a scene after this many seconds. It is stopped sooner if the code gives no
+    /// answer for a fifteenth of this time, but not for less than 2 s
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

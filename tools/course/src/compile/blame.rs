@@ -214,7 +214,7 @@ mod tests {
                     true => BuildResult::Refused {
                         diagnostics: Vec::new(),
                         is_late: false,
-                        is_starved: false,
+                        disturbed_by: None,
                     },
                     false => BuildResult::Program {
                         executable: "program".into(),

@@ -42,8 +42,8 @@ pub enum BuildResult {
         diagnostics: Vec<Diagnostic>,
         /// Whether the compiler might have finished with more time.
         is_late: bool,
-        /// See [`CommandResult::starved`].
-        is_starved: bool,
+        /// See [`CommandResult::disturbed_by`].
+        disturbed_by: Option<&'static str>,
     },
 }
 
@@ -135,7 +135,7 @@ pub fn build(
     Ok(BuildResult::Refused {
         diagnostics: said(&finished),
         is_late: finished.is_late(),
-        is_starved: finished.starved,
+        disturbed_by: finished.disturbed_by(),
     })
 }
 

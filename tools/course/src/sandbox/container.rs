@@ -94,11 +94,8 @@ impl Container {
 
     /// See [`Sandbox::new_instance`](super::Sandbox::new_instance).
     pub fn new_instance(&self, whole: Duration) -> Result<Container> {
-        let uid = UserId::reserve()?;
-        // A grader that had this user id may have been killed since we started.
-        Scratch::remove_left_behind(&std::env::temp_dir());
         Ok(Container {
-            uid,
+            uid: UserId::reserve()?,
             budget: Budget::of(whole),
             ..self.clone()
         })
@@ -253,7 +250,7 @@ const SYSTEM: [&str; 6] = [
 
 /// A folder that belongs to root. Everyone may pass through it, but only root may list it.
 #[derive(Debug)]
-struct Scratch {
+pub(super) struct Scratch {
     folder: PathBuf,
     /// Held as long as the folder is in use. The kernel releases it when this process ends.
     _lock: File,
@@ -286,7 +283,7 @@ impl Scratch {
 
     /// Removes the folders of processes that were killed. They may hold answers that later code,
     /// which gets the same user id, could read. A folder without a lock is somebody else's.
-    fn remove_left_behind(parent: &Path) {
+    pub(super) fn remove_left_behind(parent: &Path) {
         for entry in fs::read_dir(parent).into_iter().flatten().flatten() {
             let is_scratch = entry.file_name().to_string_lossy().starts_with(SCRATCH);
             let is_own = || {

@@ -27,6 +27,17 @@ pub struct CommandResult {
 }
 
 impl CommandResult {
+    /// What else on this machine kept it from finishing, if that is certain.
+    pub fn disturbed_by(&self) -> Option<&'static str> {
+        match self.exceeded {
+            _ if self.starved => Some("other work kept the compiler from running"),
+            None if !self.late && Death::of(Some(self.status)).may_be_kill() => {
+                Some("something killed the compiler, perhaps because memory ran out")
+            }
+            _ => None,
+        }
+    }
+
     /// Whether it might have finished at another time: it exceeded a limit on time, or was killed
     /// by something else than our limits, as the kernel does if the machine runs out of memory.
     pub fn is_late(&self) -> bool {

@@ -64,13 +64,26 @@ fn only_a_program_that_took_its_processor_time_is_late_by_the_kernels_limit() {
         let loops = ending(&format!("{limit}; while :; do :; done"), short);
         assert_eq!(loops, Ending::TimedOut(short), "{limit}");
     }
-    let mut killed = std::process::Command::new("sh");
-    killed.args(["-c", "kill -KILL $$"]);
-    let compiled = Sandbox::Trusted.compile(killed, &Limits::of_compiler());
-    assert!(compiled.expect("there is a shell").is_late());
     let ends_itself = ending(
         "ulimit -S -t 1; trap 'exit 3' XCPU; while :; do :; done",
         short,
     );
     assert_eq!(ends_itself, Ending::Died(Death::Exit(3)));
+}
+
+#[test]
+fn a_compiler_that_something_else_killed_blames_nobody() {
+    let compile = |lines: &str| {
+        let mut command = Command::new("sh");
+        command.args(["-c", lines]);
+        let compiled = Sandbox::Trusted.compile(command, &Limits::of_compiler());
+        compiled.expect("there is a shell")
+    };
+    let killed = compile("kill -KILL $$");
+    assert!(killed.is_late());
+    let why = killed.disturbed_by().expect("nothing of the student's");
+    assert!(why.contains("killed the compiler"), "{why}");
+    for of_its_own in ["exit 1", "kill -SEGV $$", "kill -XCPU $$"] {
+        assert_eq!(compile(of_its_own).disturbed_by(), None, "{of_its_own}");
+    }
 }
