@@ -56,9 +56,31 @@ impl ResultCache {
         read(&self.of(id).join("result.json")).filter(Record::is_graded)
     }
 
+    /// The grade of a submission in the last list of changes. `None` if it still has that grade, or
+    /// had none. If a run is stopped, the next one compares with this grade.
+    pub fn listed(&self, id: &str) -> Option<Record> {
+        read(&self.of(id).join(LISTED)).filter(Record::is_graded)
+    }
+
+    /// Keeps the grade that is about to be replaced, unless an earlier one is kept already.
+    fn keep_listed(&self, id: &str) -> Result<()> {
+        let folder = self.of(id);
+        let (result, listed) = (folder.join("result.json"), folder.join(LISTED));
+        match result.exists() && !listed.exists() {
+            true => link(&result, &listed),
+            false => Ok(()),
+        }
+    }
+
+    /// Forgets a kept grade, because the change is listed now.
+    pub fn forget_listed(&self, id: &str) {
+        let _unchanged = fs::remove_file(self.of(id).join(LISTED));
+    }
+
     /// Stores a finished grade. If that fails or this process is killed, the old grade is there, or
     /// the new one, or none, but never a result beside another grade's report.
     pub fn put(&self, record: &Record, report: &str, evidence: &Evidence) -> Result<()> {
+        self.keep_listed(&record.id)?;
         let folder = self.of(&record.id);
         let result = folder.join("result.json");
         let files = [
@@ -92,10 +114,11 @@ impl ResultCache {
     }
 
     /// Stores a grade in which only the points have changed, and adds a note to the end of its
-    /// report.
+    /// report. The note comes first: if this process is killed between the two, the next run finds
+    /// the old points, and does both again.
     pub fn put_points(&self, record: &Record) -> Result<()> {
+        self.keep_listed(&record.id)?;
         let folder = self.of(&record.id);
-        write_unflushed(&folder.join("result.json"), pretty(record)?.as_bytes())?;
         let (points, possible) = (record.got.points.unwrap_or(0), record.got.possible);
         let note = format!(
             "{NOTE}<strong>Since this report was written, the points of some tasks or scenes have \
@@ -104,7 +127,8 @@ impl ResultCache {
         let path = folder.join("report.html");
         unshare(&path)
             .and_then(|()| replace_note(&path, &note))
-            .or_fail(&cannot_write(&path))
+            .or_fail(&cannot_write(&path))?;
+        write_unflushed(&folder.join("result.json"), pretty(record)?.as_bytes())
     }
 
     /// Stores the record of a fault of ours beside a finished grade, without overwriting it.
@@ -136,6 +160,9 @@ impl ResultCache {
         }
     }
 }
+
+/// A grade that a run has replaced, until the change is listed.
+const LISTED: &str = "listed.json";
 
 /// The record of a submission in its folder: its grade, or why it has none. A grade for other
 /// answers than the current ones is not valid. Such a grade remains if the run that should have
@@ -297,13 +324,7 @@ mod tests {
         let folder = tempfile::tempdir().expect("there is room");
         let cache = ResultCache::open(folder.path()).expect("it is new");
         let record = graded("ada", 1, 1);
-        let evidence = Evidence {
-            id: "ada".into(),
-            public: record.got.clone(),
-            fresh: None,
-            fresh_folder: None,
-            answers: Default::default(),
-        };
+        let evidence = evidence(&record);
         cache
             .put(&record, "first", &evidence)
             .expect("there is room");
@@ -320,6 +341,39 @@ mod tests {
             assert!(failed.is_err());
             assert_eq!(cache.get("ada"), old);
             fs::remove_dir(&blocked).expect("it is empty");
+        }
+    }
+
+    #[test]
+    fn the_next_list_of_changes_knows_the_grade_before_a_run_that_was_stopped() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let cache = ResultCache::open(folder.path()).expect("it is new");
+        let put = |points| {
+            let record = graded("ada", points, 3);
+            cache
+                .put(&record, "report", &evidence(&record))
+                .expect("there is room");
+        };
+        let listed = || cache.listed("ada").map(|record| record.got.points);
+        put(1);
+        assert_eq!(listed(), None, "a first grade is no change");
+        put(2);
+        put(3);
+        assert_eq!(listed(), Some(Some(1)));
+        cache.forget_listed("ada");
+        cache
+            .put_points(&graded("ada", 2, 3))
+            .expect("there is room");
+        assert_eq!(listed(), Some(Some(3)));
+    }
+
+    fn evidence(record: &Record) -> Evidence {
+        Evidence {
+            id: record.id.clone(),
+            public: record.got.clone(),
+            fresh: None,
+            fresh_folder: None,
+            answers: Default::default(),
         }
     }
 

@@ -56,9 +56,9 @@ impl Roll {
     }
 
     /// Adds single submissions to the class that was graded into the same folder before. They
-    /// replace earlier ones of the same id, and all others stay.
+    /// replace earlier ones of the same id or name, and all others stay.
     pub fn into_class(self, mut class: Roll) -> Roll {
-        let is_new = |entry: &Entry| self.entries.iter().any(|new| new.id == entry.id);
+        let is_new = |entry: &Entry| self.entries.iter().any(|new| new.replaces(entry));
         class.entries.retain(|entry| !is_new(entry));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));

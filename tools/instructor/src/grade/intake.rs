@@ -70,6 +70,12 @@ fn not_read() -> std::result::Result<Submission, String> {
 }
 
 impl Entry {
+    /// Whether it is the same person's submission as one of an earlier run. Ids of names that differ
+    /// only in capitals depend on what else was handed in.
+    pub fn replaces(&self, earlier: &Entry) -> bool {
+        self.id == earlier.id || self.name == earlier.name
+    }
+
     /// What its author should know about how it was read.
     pub fn remarks(&self) -> Vec<String> {
         [&self.notes[..], &self.doubts].concat()

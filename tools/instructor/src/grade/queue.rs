@@ -75,7 +75,10 @@ pub fn with_current_points(
         cache.put_points(&record)?;
     }
     Ok(QueueResult {
-        change: Change::between(&before, &record),
+        change: Change::between(
+            cache.listed(&record.id).as_ref().unwrap_or(&before),
+            &record,
+        ),
         record: record.into(),
         is_new: false,
         fault: None,
@@ -173,7 +176,8 @@ impl GradeQueue<'_> {
         if let Err(error) = self.cache.put(&record, &report, &evidence) {
             return Some(self.faulty(record.not_graded(error.to_string()), before));
         }
-        let change = before.and_then(|before| Change::between(&before, &record));
+        let listed = self.cache.listed(&entry.id);
+        let change = listed.and_then(|listed| Change::between(&listed, &record));
         Some(QueueResult {
             record: record.into(),
             is_new: true,

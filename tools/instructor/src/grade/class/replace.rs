@@ -15,9 +15,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     let Ok(class) = Roll::read(earlier) else {
         return Ok(());
     };
-    // An id may change if somebody hands in something whose name differs only in capitals.
-    let is_same = |a: &Entry, b: &Entry| a.id == b.id || a.name == b.name;
-    let is_here = |one: &&Entry| roll.entries.iter().any(|entry| is_same(entry, one));
+    let is_here = |one: &&Entry| roll.entries.iter().any(|entry| entry.replaces(one));
     let all = class.entries.iter().filter(|_| class.is_class);
     let absent: Vec<&str> = all.filter(|it| !is_here(it)).map(|it| &*it.id).collect();
     if absent.is_empty() {
@@ -60,7 +58,7 @@ pub fn refuse_other_policy(roll: &Roll, class: &Roll, is_single: bool) -> Result
 /// Refuses to replace a submission by an archive whose author may have given it that name.
 pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
     let is_weaker = |new: &&Entry| {
-        let mut same = class.entries.iter().filter(|old| old.id == new.id);
+        let mut same = class.entries.iter().filter(|old| new.replaces(old));
         same.any(|old| new.at_most < old.at_most)
     };
     let Some(new) = roll.entries.iter().find(is_weaker) else {
@@ -102,6 +100,20 @@ mod tests {
         for (new, old) in [(&folder, &archive), (&archive, &archive)] {
             refuse_chosen_names(new, old).expect("it proves as much as the old one");
         }
+    }
+
+    #[test]
+    fn a_submission_passed_alone_replaces_the_one_of_its_name() {
+        let of = |entries| roll(entries, "time_zone = 'UTC'", &[]);
+        // Beside `Ada`, the id of `ada` was `ada.2`.
+        let mut class = of(vec![
+            entry("Ada", "Ada", "Ada"),
+            entry("ada.2", "ada", "ada"),
+        ]);
+        class.entries[1].name = "ada".into();
+        let alone = of(vec![entry("ada", "ada", "ada")]);
+        let ids = alone.into_class(class).entries.into_iter().map(|it| it.id);
+        assert_eq!(ids.collect::<Vec<_>>(), ["Ada", "ada"]);
     }
 
     #[test]

@@ -27,13 +27,13 @@ pub enum Format {
     /// classroom50.json: Classroom 50's result.json, which names the classroom, the assignment and
     /// the submission if Classroom 50's runner has set its environment variables
     Classroom50,
-    /// groups.csv in OUT: a line for each group of questions
+    /// groups.csv in the --out folder: a line for each group of questions
     Csv,
-    /// canvas.csv in OUT: final marks for Canvas's gradebook
+    /// canvas.csv in the --out folder: final marks for Canvas's gradebook
     Canvas,
-    /// moodle.csv in OUT: final marks for Moodle's grading worksheet
+    /// moodle.csv in the --out folder: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in OUT: all reports, packed in three ways: for Canvas, for Moodle, and by id
+    /// feedback*.zip in the --out folder: all reports, packed in three ways: for Canvas, for Moodle, and by id
     Feedback,
 }
 

@@ -121,6 +121,9 @@ impl ClassOutput<'_> {
             true => anstream::print!("{}", pretty(&document(&class, run))?),
             false => anstream::print!("{}", words(&class, run, cache)),
         }
+        for id in records.keys() {
+            cache.forget_listed(id);
+        }
         let not_graded = class.not_graded();
         if not_graded.is_empty() && run.faults.is_empty() {
             return Ok(status(&class.concerns));
