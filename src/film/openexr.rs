@@ -89,6 +89,9 @@ pub(super) fn read(path: &Path) -> Result<Film, Error> {
 fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
     let said = |error: exr::error::Error| format!("this is not a readable OpenEXR file: {error}");
     let meta = MetaData::read_from_buffered(Cursor::new(bytes), false).map_err(said)?;
+    if meta.requirements.has_deep_data {
+        return Err("the file has deep data; a film has one sample for each pixel".into());
+    }
     let [header] = meta.headers.as_slice() else {
         return Err(format!(
             "the file holds {} images; a film has only one",

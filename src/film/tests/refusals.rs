@@ -125,6 +125,14 @@ fn half_floats_are_refused() {
 }
 
 #[test]
+fn a_file_that_claims_deep_data_is_refused() {
+    let mut bytes = bytes(&row(&[("t", &[1.0])]));
+    // The flag is bit 11 of the file's version.
+    bytes[5] |= 1 << 3;
+    refused(bytes, "the file has deep data");
+}
+
+#[test]
 fn two_channels_of_one_name_are_refused() {
     let film = row(&[("ta", &[1.0]), ("tb", &[2.0])]);
     let mut bytes = bytes(&film);
