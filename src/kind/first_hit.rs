@@ -89,28 +89,28 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "the ray meets several objects in the list from min_t on",
-            "the ray meets at most one object in the list from min_t on",
+            "the ray meets several of the listed objects from min_t on",
+            "the ray meets at most one of the listed objects from min_t on",
             hits > 1,
         ),
         Condition::new(
-            "the ray meets the first object in the list from min_t on",
-            "the ray doesn't meet the first object in the list from min_t on",
+            "the ray meets the first listed object from min_t on",
+            "the ray doesn't meet the first listed object from min_t on",
             is(found.first()),
         ),
         Condition::new(
-            "the ray meets the last object in the list from min_t on",
-            "the ray doesn't meet the last object in the list from min_t on",
+            "the ray meets the last listed object from min_t on",
+            "the ray doesn't meet the last listed object from min_t on",
             is(found.last()),
         ),
         Condition::new(
-            "there is an object in the list that the ray doesn't meet from min_t on",
-            "the ray meets every object in the list from min_t on",
+            "the ray doesn't meet every listed object from min_t on",
+            "the ray meets every listed object from min_t on",
             hits < objects.len(),
         ),
         Condition::new(
-            "the ray meets an object in the list before min_t",
-            "the ray meets no object in the list before min_t",
+            "the ray meets a listed object before min_t",
+            "the ray meets no listed object before min_t",
             objects.iter().any(before),
         ),
     ]

@@ -37,7 +37,7 @@ impl TreeQuestion {
         let count = samples.count("count")?;
         if !(1..=MOST_BOXES).contains(&count) {
             return Err(format!(
-                "channel `count` holds {count}, which is not from 1 to {MOST_BOXES}"
+                "channel `count` holds {count}, but it must be from 1 to {MOST_BOXES}"
             ));
         }
         let boxes = (0..count).map(|k| samples.bounding_box(&k.to_string()));
@@ -63,7 +63,7 @@ impl TreeQuestion {
             ),
             (
                 Cut::Mixed,
-                "divide the triangles along no axis, because the centres on both sides are mixed",
+                "don't divide the triangles along any axis, because the centres on both sides overlap",
             ),
             (
                 Cut::OffMiddle,
@@ -104,9 +104,9 @@ impl Question for TreeQuestion {
         let tree = FlatTree::from(build(&self.boxes));
         assert!(
             tree.size() <= MOST_PLACES,
-            "a tree over {} triangles must not have {} nodes and leaf entries",
-            self.boxes.len(),
-            tree.size()
+            "{} nodes and leaf entries are too many for a tree over {} triangles",
+            tree.size(),
+            self.boxes.len()
         );
         Ok(WireAnswer::Tree(tree))
     }

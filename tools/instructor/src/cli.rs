@@ -187,7 +187,8 @@ pub struct Dispute {
 /// Combine the parts of a class that were graded separately
 ///
 /// The parts are the --out folders of `grade --shard K/N`. Every part must have been graded from
-/// the same submissions, with the same roster, policy, goldens and fresh questions. The result is
+/// the same submissions, with the same roster, policy, goldens and fresh questions (see `grade
+/// --fresh`). The result is
 /// the same as if the class had been graded in one run.
 ///
 /// You can also pass a single folder, for instance to apply another --policy or to write another

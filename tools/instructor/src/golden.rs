@@ -82,7 +82,7 @@ fn fingerprint(
     manifest.set_mistakes(&written, folder, assignment)?;
     let mistakes = KnownMistakes::read(folder)?.mistake.len();
     Ok(format!(
-        "stored how {mistakes} known mistakes show in {} films",
+        "stored what each of {mistakes} known mistakes changes in {} films",
         written.len()
     ))
 }

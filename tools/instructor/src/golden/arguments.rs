@@ -50,11 +50,11 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Find out again what each known mistake changes in existing goldens; doesn't need Mitsuba
+/// Recompute what each known mistake changes in existing goldens; doesn't need Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
-/// recognise the mistake. `golden render` does this too. Use this command when only mistakes have
-/// changed.
+/// recognise the mistake. `golden render` does this too. Use this command when you have added or
+/// changed a mistake, but no scene.
 #[derive(Args)]
 pub struct GoldenMistakes {
     #[command(flatten)]
