@@ -103,11 +103,6 @@ impl Program {
             .arg(manifest)
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit());
-        // This file holds settings for optimisation that apply to this program alone.
-        let settings = checkout.root().join(self.folder).join("release.toml");
-        if settings.is_file() {
-            cargo.arg("--config").arg(settings);
-        }
         let what = format!("building {}", self.package);
         let built = if self.is_built(&checkout) {
             cargo.arg("--quiet");

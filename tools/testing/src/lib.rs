@@ -58,13 +58,9 @@ pub fn program_of(subcommand: &str) -> PathBuf {
 /// A program of the course, built as users build it, or with the tests' profile if that has debug
 /// assertions.
 fn built(package: &str, name: &str) -> PathBuf {
-    let (options, folder): (&[&str], _) = match (cfg!(debug_assertions), package) {
-        (true, _) => (&[], "debug"),
-        (false, "pinhole-instructor") => (
-            &["--release", "--config", "tools/instructor/release.toml"],
-            "release",
-        ),
-        (false, _) => (&["--release"], "release"),
+    let (options, folder): (&[&str], _) = match cfg!(debug_assertions) {
+        true => (&[], "debug"),
+        false => (&["--release"], "release"),
     };
     static BUILT: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let mut built = BUILT.lock().unwrap_or_else(PoisonError::into_inner);

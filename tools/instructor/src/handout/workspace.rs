@@ -18,9 +18,6 @@ pub const CLI: &str = "tools/cli";
 /// The folder of the program that grades.
 pub const INSTRUCTOR: &str = "tools/instructor";
 
-/// A file beside a manifest: cargo's settings for building that program, passed with `--config`.
-const SETTINGS: &str = "release.toml";
-
 /// A workspace to hand out.
 pub struct Workspace<'a> {
     /// The assignment that commands use by default.
@@ -42,11 +39,6 @@ impl Workspace<'_> {
             leave_tests_at_home(&mut own);
             files.insert(format!("{folder}/Cargo.toml"), own.to_string().into());
             add_folder(files, checkout, &format!("{folder}/src"), &["rs"])?;
-            let settings = format!("{folder}/{SETTINGS}");
-            let path = checkout.root().join(&settings);
-            if path.is_file() {
-                files.insert(settings, read_text(&path)?.into());
-            }
             let templates = format!("{folder}/templates");
             if checkout.root().join(&templates).is_dir() {
                 add_folder(files, checkout, &templates, &[])?;

@@ -14,8 +14,7 @@ curl --proto '=https' --tlsv1.2 -sSf https://sh.rustup.rs |
 chmod -R a+rX /opt/rust
 
 cd /autograder/source/pinhole
-/opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli
-/opt/rust/cargo/bin/cargo build --release --config tools/instructor/release.toml -p pinhole-instructor
+/opt/rust/cargo/bin/cargo build --release -p pinhole -p pinhole-cli -p pinhole-instructor
 
 # Only the grader may read this. The libraries for submissions are copied to another folder.
 chmod 700 .
