@@ -24,8 +24,8 @@ struct Cli {
 enum Program {
     /// Build or check the book
     ///
-    /// Exit codes: 0 if everything is right; 1 if figures or output in the book are out
-    /// of date; 2 if a page has an error; 3 if something is missing on this machine, or Pinhole has a bug.
+    /// Exit codes: 0 if everything is right; 1 if figures or output in the book are out of date; 2
+    /// if a page has an error; 3 if something is missing on this machine, or Pinhole has a bug.
     #[command(subcommand)]
     Book(Command),
 }

@@ -18,9 +18,9 @@ use pinhole_course::run_options::{AssignmentOption, RunOptions, resolution};
     bin_name = "pinhole",
     version,
     max_term_width = 100,
-    after_help = "The instructor's repository has more commands, each with --help. For instructors: \
-                  golden, grade, merge, dispute, handout, validate. For the study of speed and \
-                  accuracy: study, plan. For the book: book."
+    after_help = "The instructor's repository has more commands, each with --help. For \
+                  instructors: golden, grade, merge, dispute, handout, validate. For the study of \
+                  speed and accuracy: study, plan. For the book: book."
 )]
 pub struct Cli {
     #[command(subcommand)]
@@ -60,9 +60,9 @@ impl Command {
 /// An answer is the code that you write for one task. Each task has several groups of questions.
 /// What your code returns is compared with what the renderer Mitsuba returns. Then all your answers
 /// are used together to render each scene as a film, which is compared with Mitsuba's. For each
-/// pixel, a film holds the object that the ray hits, the ray's parameter t at the hit, and the surface
-/// normal there. For each group and scene that fails, you see what was asked, what was expected and
-/// what your code returned.
+/// pixel, a film holds the object that its ray hits, the ray's parameter t at the hit, and the
+/// surface normal there. For each group and scene that fails, you see what was asked, what was
+/// expected and what your code returned.
 ///
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
@@ -78,8 +78,8 @@ impl Command {
 /// each returned for it.
 #[derive(Args)]
 pub struct Check {
-    /// The folder with the answer files, or a folder that has them in its `src` folder [default: the
-    /// current folder if it has answer files, else the assignment's `handout` folder]
+    /// The folder with the answer files, or a folder that has them in its `src` folder [default:
+    /// the current folder if it has answer files, else the assignment's `handout` folder]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
@@ -92,7 +92,7 @@ pub struct Check {
     /// Judge only this scene (repeatable)
     #[arg(long, value_name = "SCENE")]
     pub scene: Vec<String>,
-    /// Judge against the golden films in this folder
+    /// Judge against the golden films (made by Mitsuba) in this folder
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
     /// Also judge every film with OpenImageIO's oiiotool
@@ -125,7 +125,7 @@ pub struct Check {
 
 /// Render a scene, and write its film and pictures
 ///
-/// For each pixel, film.exr holds the id of the object that the ray hits, the ray's parameter t at
+/// For each pixel, film.exr holds the id of the object that its ray hits, the ray's parameter t at
 /// the hit, and the surface normal there. id.png, depth.png and normal.png show these three in
 /// false colours. If Mitsuba has rendered the scene too, depth.png uses the same colours as
 /// Mitsuba's depth picture, so you can compare the two. If the assignment counts how often rays are
@@ -159,10 +159,10 @@ pub struct Render {
 
 /// Explain one pixel in words
 ///
-/// Shows your ray beside the expected one: first where each crosses the image plane, then the rays
-/// themselves, in camera space and in world space. After that, you see what your code returned for
-/// each object, everything that it printed, and your first hit. If Mitsuba has rendered the scene,
-/// you also see Mitsuba's ray and first hit.
+/// Shows your ray beside the expected one: first where each crosses the image plane, then both rays
+/// in camera space. After that, you see your ray in world space, what your code returned for each
+/// object, everything that it printed, and your first hit. If Mitsuba has rendered the scene, you
+/// see Mitsuba's ray and first hit beside yours.
 ///
 /// Try: cargo pinhole explain slide_example 2 3
 #[derive(Args)]
@@ -221,7 +221,7 @@ pub struct Explain {
 pub struct Examples {
     /// The file with your examples
     pub file: Option<PathBuf>,
-    /// Write a file with questions from this task [default file: TASK.examples.toml]
+    /// Write questions from this task to FILE [default: TASK.examples.toml]
     #[arg(long, value_name = "TASK")]
     pub new: Option<String>,
     #[command(flatten)]
@@ -249,7 +249,7 @@ pub struct Diff {
     pub film: PathBuf,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write to this folder pictures of both films and of their difference, and a report.html that
+    /// Write pictures of both films and of their difference to this folder, and a report.html that
     /// shows both films pixel by pixel
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -274,8 +274,8 @@ pub struct Diff {
 pub struct Reset {
     /// The task
     pub task: String,
-    /// The folder with the answer files, or a folder that has them in its `src` folder [default: the
-    /// current folder if it has answer files, else the assignment's `handout` folder]
+    /// The folder with the answer files, or a folder that has them in its `src` folder [default:
+    /// the current folder if it has answer files, else the assignment's `handout` folder]
     pub dir: Option<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,

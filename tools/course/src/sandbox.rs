@@ -102,8 +102,8 @@ pub enum Choice {
     Auto,
     /// Linux namespaces, made by the program bubblewrap
     Bubblewrap,
-    /// A separate user id, and Landlock (a security feature of the Linux kernel); only for root in a
-    /// container that is thrown away afterwards
+    /// A separate user id, and Landlock (a security feature of the Linux kernel); only for root in
+    /// a container that is thrown away afterwards
     Container,
     /// Like `container`, but for kernels without Landlock; weaker, because only file permissions
     /// protect the container's files

@@ -13,8 +13,8 @@ use crate::grade::redact::Reveal;
 use crate::grade::views::formats::Format;
 use crate::validate::Part;
 
-/// Commands for instructors: grade a class, make what students get, make goldens, and test the
-/// grading.
+/// Commands for instructors: grade a class, make the students' repository, make goldens, and test
+/// the grading.
 ///
 /// Exit codes: 0 if everything is right; 1 if an answer or a golden is wrong, or something needs
 /// your attention; 2 if a file or an argument is wrong; 3 if something is missing on this machine,
@@ -56,14 +56,14 @@ impl Command {
 /// Grade the submissions of a whole class
 ///
 /// Each path is a submission (a folder, .zip or .tar.gz with the answer files), a folder of
-/// submissions, or a class's submissions as exported by a learning platform. The result and the report of each
+/// submissions, or a learning platform's export of a class. The result and the report of each
 /// submission are written to OUT/submissions, and the results of the whole class to OUT/grades.csv
 /// and OUT/class.html. All code runs in a sandbox.
 ///
 /// You can stop `grade` at any time and run it again. It continues where it left off, and
 /// regrades only what has changed. Submissions that can't be graded because the machine or Pinhole
-/// failed are listed first. They get no mark, which is not the same as a zero. In this case, the
-/// exit code is 3.
+/// failed are listed first. They get no mark, which is not the same as a zero. If there are any,
+/// the exit code is 3.
 ///
 /// The end of the output and the top of class.html list what you should look at: files that are
 /// part of no submission, and submissions that lack files, that could belong to several people, or
@@ -74,8 +74,8 @@ impl Command {
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
 /// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// also makes random scenes. If those that need the same tasks earn a larger share of their points
-/// than the weakest task, this larger share is the limit.
+/// makes random scenes. If the random scenes that need the same tasks earn a larger share of their
+/// points than the weakest task does, that share is the limit instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -186,9 +186,8 @@ pub struct Dispute {
 
 /// Combine the parts of a class that were graded separately
 ///
-/// The parts are the --out folders of `grade --shard K/N`. Every part must have been graded from
-/// the same submissions, with the same roster, policy, goldens and fresh questions (see `grade
-/// --fresh`). The result is
+/// The parts are the --out folders of `grade --shard K/N`. Give each of these runs the same
+/// submissions, roster, policy, goldens and fresh questions (see `grade --fresh`). The result is
 /// the same as if the class had been graded in one run.
 ///
 /// You can also pass a single folder, for instance to apply another --policy or to write another
@@ -222,8 +221,8 @@ pub struct Merge {
 /// With --out, `handout` writes a repository for students: the stubs, the commands for students,
 /// the public scenes and their goldens, tests, a README and a workflow for GitHub. To use the
 /// repository, students need only Rust and a linker. The repository contains neither solutions nor
-/// the wrong answers that `check` uses to recognise mistakes. About scenes with `public = false`, it
-/// reveals only how many points they are worth in total.
+/// the wrong answers that `check` uses to recognise mistakes. About scenes with `public = false`,
+/// it reveals only how many points they are worth in total.
 #[derive(Args)]
 #[command(group = ArgGroup::new("autograder").args(["gradescope", "prairielearn"]).multiple(true))]
 pub struct Handout {
@@ -247,16 +246,16 @@ pub struct Handout {
     /// `pinhole book build` writes the student edition
     #[arg(long, value_name = "DIR", requires = "out")]
     pub book: Option<PathBuf>,
-    /// Overwrite files that an earlier run has written. With --out, nothing is written if somebody has
-    /// changed one of these files since then; without --out, changes to the stubs are lost
+    /// Overwrite files that an earlier run has written. With --out, nothing is written if somebody
+    /// has changed one of these files since then; without --out, changes to the stubs are lost
     #[arg(long, conflicts_with = "check")]
     pub force: bool,
     /// Write a Gradescope autograder to this file. Keep the file private: it contains all goldens
     /// and the reference solution
     #[arg(long, value_name = "FILE.zip")]
     pub gradescope: Option<PathBuf>,
-    /// Write to this folder a PrairieLearn question and a Dockerfile for its grader. The folder must
-    /// be new or empty. Keep it private: it contains all goldens and the reference solution
+    /// Write a PrairieLearn question and a Dockerfile for its grader to this folder, which must be
+    /// new or empty. Keep it private: it contains all goldens and the reference solution
     #[arg(long, value_name = "DIR")]
     pub prairielearn: Option<PathBuf>,
     /// Have the autograder also ask the questions in this folder. Students must never have seen
@@ -283,12 +282,13 @@ pub struct Handout {
 /// - every known mistake must fail in exactly the tasks that it declares, and so must its rewrite
 ///   with another algorithm, if it has one;
 ///
-/// - the hint for every mistake must be short and easy to read, and include an example with numbers;
+/// - the hint for every mistake must be short and easy to read, and include an example with
+///   numbers;
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
-///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml,
-///   which also says for which inputs, if any, each of them gives other answers than the reference.
-///   A search for such inputs must confirm this.
+///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, with the
+///   inputs, if any, for which their answers differ from the reference's. A search for such inputs
+///   must confirm this.
 ///
 /// The tables show how many mistakes each group of questions and each scene catches, how many it
 /// alone catches, and how small an error each scene detects. The exit code is 0 if every target is

@@ -57,7 +57,7 @@ pub struct Plan {
 /// A part of the validation.
 #[derive(Clone, Copy, Debug, PartialEq, ValueEnum)]
 pub enum Part {
-    /// Known mistakes and rewrites of them: each must fail in its own tasks
+    /// Known mistakes and their rewrites: each must fail in the tasks that it declares
     Mistakes,
     /// Right answers that work differently: each must pass
     Variants,

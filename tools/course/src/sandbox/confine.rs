@@ -29,8 +29,8 @@ struct Confine {
     /// The user and group to become.
     #[arg(long)]
     uid: Option<u32>,
-    /// Whether the code compiles. If so, it may start other programs and write; if it answers, it
-    /// may not.
+    /// Whether the program is the compiler, which may start other programs and write files. A
+    /// submission may not.
     #[arg(long)]
     compiles: bool,
     #[arg(long)]

@@ -18,13 +18,13 @@ pub enum Golden {
 /// Render goldens with Mitsuba
 ///
 /// For each scene, makes a film and its tolerance film, and two more films for the scene's viewing
-/// rays. Also makes a manifest that says what all these films were made from. Then makes the same
-/// films with each known mistake, and stores what the mistake changes, so that `check` and `diff`
-/// can recognise the mistake.
+/// rays. Also makes a manifest that says what all these films were made from. Then runs code with
+/// each known mistake, and stores what the mistake changes in the films, so that `check` and `diff`
+/// can recognise it.
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
-/// its scenes, the films of its questions, and more questions for `validate --mutants`, in
-/// many of which two values that the code compares are exactly equal.
+/// its scenes, the films of its questions, and more questions for `validate --mutants`. Many of
+/// these are exact ties: the code compares two values that are equal.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
 /// close to a plane's horizon. If that happens, move the camera a little.

@@ -18,14 +18,14 @@ use pinhole_report::terminal;
 /// A file to write beside each result.
 #[derive(Clone, Copy, Debug, Eq, PartialEq, ValueEnum)]
 pub enum Format {
-    /// gradescope.json: Gradescope's results.json
+    /// gradescope.json: the result in Gradescope's format
     Gradescope,
     /// junit.xml: a test for each group of questions and each scene
     Junit,
-    /// prairielearn.json: PrairieLearn's results.json
+    /// prairielearn.json: the result in PrairieLearn's format
     Prairielearn,
-    /// classroom50.json: Classroom 50's result.json, which names the classroom, the assignment and
-    /// the submission if Classroom 50's runner has set its environment variables
+    /// classroom50.json: the result in Classroom 50's format; it names the classroom, the
+    /// assignment and the submission if Classroom 50's runner has set its environment variables
     Classroom50,
     /// groups.csv in the --out folder: a line for each group of questions
     Csv,
@@ -33,7 +33,7 @@ pub enum Format {
     Canvas,
     /// moodle.csv in the --out folder: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in the --out folder: all reports, packed in three ways: for Canvas, for Moodle, and by id
+    /// feedback*.zip in the --out folder: the reports, packed for Canvas, for Moodle, and by id
     Feedback,
 }
 
