@@ -70,7 +70,7 @@ fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     if triangles.is_empty() {
         return Err(Error::new(
             path,
-            "this mesh has no face",
+            "this mesh has no faces",
             "add `f` lines, or name another file",
         ));
     }

@@ -89,23 +89,23 @@ pub(super) fn conditions(objects: &[Canned], min_t: f64, answer: &Answer) -> Vec
             objects.is_empty(),
         ),
         Condition::new(
-            "the ray meets several of the listed objects from min_t on",
-            "the ray meets at most one of the listed objects from min_t on",
+            "the ray meets several listed objects at min_t or beyond",
+            "the ray meets at most one listed object at min_t or beyond",
             hits > 1,
         ),
         Condition::new(
-            "the ray meets the first listed object from min_t on",
-            "the ray doesn't meet the first listed object from min_t on",
+            "the ray meets the first listed object at min_t or beyond",
+            "the ray doesn't meet the first listed object at min_t or beyond",
             is(found.first()),
         ),
         Condition::new(
-            "the ray meets the last listed object from min_t on",
-            "the ray doesn't meet the last listed object from min_t on",
+            "the ray meets the last listed object at min_t or beyond",
+            "the ray doesn't meet the last listed object at min_t or beyond",
             is(found.last()),
         ),
         Condition::new(
-            "the ray doesn't meet every listed object from min_t on",
-            "the ray meets every listed object from min_t on",
+            "at least one listed object isn't met at min_t or beyond",
+            "the ray meets every listed object at min_t or beyond",
             hits < objects.len(),
         ),
         Condition::new(
@@ -136,17 +136,17 @@ pub(super) fn others(objects: &[Canned], min_t: f64) -> Vec<(&'static str, Answe
     let farthest = sorted.last().copied();
     let all = [
         (
-            "that of the first object in the list that is met",
+            "that of the first listed object that the ray meets",
             met.first(),
         ),
         (
-            "that of the last object in the list that is met",
+            "that of the last listed object that the ray meets",
             met.last(),
         ),
         ("that of the farthest object", farthest),
         ("that of the second nearest object", sorted.get(1).copied()),
         (
-            "that of the nearest object from t = 0 on",
+            "that of the nearest object at t = 0 or beyond",
             in_front.iter().min_by(by_t),
         ),
         (

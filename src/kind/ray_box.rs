@@ -216,12 +216,12 @@ impl Question for BoxQuestion {
                 at(exit.fold(self.min_t, f64::max)),
             ),
             ("the t at which the ray leaves the box", at(leave)),
-            ("the t of the first of the two x faces", at(first.x)),
-            ("the t of the first of the two y faces", at(first.y)),
-            ("the t of the first of the two z faces", at(first.z)),
-            ("the t of the second of the two x faces", at(second.x)),
-            ("the t of the second of the two y faces", at(second.y)),
-            ("the t of the second of the two z faces", at(second.z)),
+            ("the smaller t of the two x faces", at(first.x)),
+            ("the smaller t of the two y faces", at(first.y)),
+            ("the smaller t of the two z faces", at(first.z)),
+            ("the larger t of the two x faces", at(second.x)),
+            ("the larger t of the two y faces", at(second.y)),
+            ("the larger t of the two z faces", at(second.z)),
         ]
     }
 }

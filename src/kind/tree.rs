@@ -63,7 +63,7 @@ impl TreeQuestion {
             ),
             (
                 Cut::Mixed,
-                "don't divide the triangles along any axis, because the centres on both sides overlap",
+                "have children whose triangles' centres overlap along every axis",
             ),
             (
                 Cut::OffMiddle,

@@ -321,8 +321,8 @@ impl Question for SearchQuestion {
                 boxes.is_none_or(Option::is_none),
             ),
             Condition::new(
-                "the way to the triangle goes through a second child",
-                "the way to the triangle goes only through first children",
+                "the path to the triangle goes through a second child",
+                "the path to the triangle goes only through first children",
                 way().any(|(_, above)| above.is_second),
             ),
             Condition::new(
@@ -348,7 +348,7 @@ impl Question for SearchQuestion {
                 own_leaf.and_then(|leaf| met_in(leaf).last()),
             ),
             (
-                "that of the nearest triangle in the first leaf where one is met",
+                "that of the nearest triangle in the first leaf where the ray meets one",
                 self.first_leaf().and_then(|leaf| met_in(leaf).min_by(by_t)),
             ),
         ];
@@ -356,7 +356,7 @@ impl Question for SearchQuestion {
         let of_leaf = right.hit().and_then(|mut hit| {
             hit.intersection.t = self.entry(self.leaf_of(hit.object)?)?;
             Some((
-                "that at which the ray enters the leaf's box",
+                "the t at which the ray enters the leaf's box",
                 Answer::Hit(Some(hit)),
             ))
         });
@@ -385,7 +385,7 @@ impl TestedTree<'_> {
     fn test(&self, test: Test) -> TestResult {
         match ASK_TEST.get() {
             Some(ask) => ask(self.index, test),
-            None => panic!("there is no asker to answer a test"),
+            None => panic!("nothing in this process can answer a test"),
         }
     }
 }

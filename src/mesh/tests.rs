@@ -127,7 +127,7 @@ fn missing_mesh_is_an_error() {
 fn mesh_without_a_face_is_refused() {
     for text in ["", "\n\n", "# nothing\n", SQUARE, "l 1 2\n", "{}"] {
         let error = from(text).unwrap_err();
-        assert_eq!(error.problem, "this mesh has no face", "{text:?}");
+        assert_eq!(error.problem, "this mesh has no faces", "{text:?}");
     }
 }
 

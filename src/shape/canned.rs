@@ -28,7 +28,7 @@ impl Canned {
     pub fn intersect(&self, ray: &Ray, min_t: f64) -> Option<Intersection> {
         assert!(
             *ray == self.ray,
-            "an object was asked about another ray than the one given: pass `ray` on unchanged, \
+            "an object was asked about a ray other than the one given: pass `ray` on unchanged, \
              because t is in multiples of `ray.direction`"
         );
         self.first_from(min_t)

@@ -103,7 +103,7 @@ impl Notation for Triangle {
                 ca,
             ),
             Condition::new(
-                "the point lies beside the triangle",
+                "the point lies outside the triangle",
                 "the point lies on the triangle",
                 beside,
             ),

@@ -128,7 +128,7 @@ fn a_search_knows_how_the_ray_gets_to_a_triangle() {
         };
         Answer::Hit(Some(hit))
     };
-    let second = "the way to the triangle goes through a second child";
+    let second = "the path to the triangle goes through a second child";
     for (triangle, is_second) in [(2, false), (0, true), (9, false)] {
         let conditions = questions.conditions(0, &hit(triangle)).into_iter();
         let met: Vec<&str> = conditions.filter(|it| it.holds).map(|it| it.name).collect();
@@ -151,7 +151,7 @@ fn a_search_knows_how_the_ray_gets_to_a_triangle() {
     let (name, Answer::Hit(Some(other))) = questions.others(0, &hit(0)).pop().unwrap() else {
         panic!("it is no hit");
     };
-    assert_eq!(name, "that at which the ray enters the leaf's box");
+    assert_eq!(name, "the t at which the ray enters the leaf's box");
     assert_eq!((other.object, other.intersection.t), (0, 0.5));
 }
 

@@ -87,10 +87,10 @@ impl SearchLog {
                 self.choices[0],
                 self.choices[1],
             ),
-            tally(looked, "are missed by the ray from min_t on", boxes, missed),
+            tally(looked, "are not met at min_t or beyond", boxes, missed),
             tally(
                 looked,
-                "begin behind a triangle that you have found already",
+                "begin behind a triangle that you have already found",
                 boxes,
                 late,
             ),

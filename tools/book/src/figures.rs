@@ -197,11 +197,7 @@ fn compare(kept: &Files, made: &Files) -> Vec<Problem> {
         match kept.get(name) {
             None => problems.push(problem(name, "the figure is missing", again)),
             Some(old) if old != content => {
-                problems.push(problem(
-                    name,
-                    "the figure is not what its program makes now",
-                    again,
-                ));
+                problems.push(problem(name, "the figure is out of date", again));
             }
             Some(_) => {}
         }
@@ -233,7 +229,7 @@ mod tests {
             .map(|problem| problem.problem.as_str())
             .collect();
         let expected = [
-            "the figure is not what its program makes now",
+            "the figure is out of date",
             "the figure is missing",
             "no program makes this figure",
         ];

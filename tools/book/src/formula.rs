@@ -30,7 +30,7 @@ impl Formulas {
 
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         match latex.trim() {
-            "" => Err("a formula with nothing in it".into()),
+            "" => Err("an empty formula".into()),
             latex => match self.0.convert_with_local_state(latex, display) {
                 Ok(converted) => Ok(inert(&converted.mathml)),
                 Err(error) => Err(format!("`{latex}` cannot be typeset: {error}")),

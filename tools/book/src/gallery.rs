@@ -280,7 +280,7 @@ fn stale(strips: &Strips, checkout: &Checkout) -> Vec<Problem> {
             None => kept.is_none() && !list.contains_key(slug),
         };
         if !same {
-            let problem = "the strip is not what this mistake casts";
+            let problem = "the strip is missing or out of date";
             problems.push(Problem::of(checkout.inside(&path), problem, AGAIN));
         }
     }

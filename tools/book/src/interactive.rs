@@ -69,7 +69,7 @@ pub fn check(checkout: &Checkout) -> Result<Vec<Problem>> {
 
 /// A problem if the stored file differs from the new one.
 fn stale(file: &str, kept: &str, made: &str) -> Option<Problem> {
-    (kept != made).then(|| Problem::of(file, "it is not what the course makes now", AGAIN))
+    (kept != made).then(|| Problem::of(file, "it is out of date", AGAIN))
 }
 
 /// Runs npm in the script's folder, after installing what the lock file names. Returns its

@@ -25,7 +25,7 @@ pub fn listing(
         ));
     }
     let text = checkout.read(path).map_err(|_| {
-        let remedy = "name the file from the top of the checkout";
+        let remedy = "give its path from the top of the checkout";
         (format!("there is no file {path}"), remedy.into())
     })?;
     let code = between(&text, anchor)

@@ -31,8 +31,7 @@ impl Checkout {
         )
         .ok_or_else(|| {
             Error::environment(
-                "this folder is not in a repository of Pinhole, and the one that this command \
-                 was built from is gone",
+                "the repository that this command was built in is gone",
                 "run the command inside the repository: cargo pinhole …",
             )
         })

@@ -90,7 +90,7 @@ impl MistakeFolder {
         match shared {
             None => Ok(folders),
             Some(task) => Err(Error::input(
-                format!("{}: its beliefs are both about {}", self.slug, task.name),
+                format!("{}: two of its beliefs are about {}", self.slug, task.name),
                 format!("put a {} with both mistakes into its folder", task.file()),
             )),
         }

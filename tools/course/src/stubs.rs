@@ -83,7 +83,7 @@ pub fn write(package: &Package, folder: &Path) -> Result<()> {
             .and_then(|()| fs::write(&path, text))
             .or_input(
                 format_args!("cannot write {}", path.display()),
-                "check that the folder can be written",
+                "check that you may write to the folder",
             )?;
     }
     Ok(())

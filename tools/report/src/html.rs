@@ -197,7 +197,7 @@ impl Report {
 
 fn summary(outcome: &Outcome) -> String {
     if outcome.passes {
-        return "Everything that was asked passes.".into();
+        return "Everything that was judged passes.".into();
     }
     let passing = |what: &str, all: Vec<bool>| {
         let good = all.iter().filter(|passes| **passes).count();

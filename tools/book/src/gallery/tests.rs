@@ -32,7 +32,7 @@ fn a_strip_that_its_mistake_no_longer_casts_is_a_problem() {
     };
     assert!(told(&strips()).is_empty());
 
-    let changed = ["the strip is not what this mistake casts"];
+    let changed = ["the strip is missing or out of date"];
     let mut other_picture = strips();
     other_picture[0].1 = Some(strip(7, "another"));
     assert_eq!(told(&other_picture), changed);

@@ -135,7 +135,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         }
         let zip = packed.map(|(zip, files)| {
             let zip = printable(&zip.display().to_string());
-            anstream::println!("packed: {zip} holds {files} answers; hand it in");
+            let answers = if files == 1 { "answer" } else { "answers" };
+            anstream::println!("packed: {zip} holds {files} {answers}; hand it in");
             zip
         });
         match Finish::of(&examination, &assignment, &again(arguments).part) {

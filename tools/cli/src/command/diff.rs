@@ -138,7 +138,10 @@ fn said(second: &SecondVerdict) -> String {
 fn print(verdict: &std::result::Result<Verdict, Refusal>) {
     match verdict {
         Err(refusal) => anstream::println!("refused: {refusal}"),
-        Ok(verdict) => anstream::println!("{verdict}\n  {} pixels are exempt", verdict.exempt),
+        Ok(verdict) => match verdict.exempt {
+            1 => anstream::println!("{verdict}\n  1 pixel is exempt"),
+            some => anstream::println!("{verdict}\n  {some} pixels are exempt"),
+        },
     }
 }
 

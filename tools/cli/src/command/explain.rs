@@ -228,7 +228,7 @@ fn without_noise(value: f64, size: f64) -> f64 {
 
 fn print_candidates(explanation: &PixelExplanation, scene: &Scene) {
     anstream::println!(
-        "\nyour intersection with each object, from min_t = {}",
+        "\nyour intersection with each object, at min_t = {} or beyond",
         number(scene.min_t, DIGITS)
     );
     let missed = |said: &AnswerResult<Option<Hit>>| matches!(said, Ok(None));

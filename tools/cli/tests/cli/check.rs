@@ -346,7 +346,7 @@ fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane"]).expect_code(1);
     ran.expect_out("it aborted, which happens when a function calls itself without end")
-        .expect_out("the last words that it printed are “fatal runtime error: stack overflow");
+        .expect_out("the last line that it printed is “fatal runtime error: stack overflow");
 }
 
 #[test]
@@ -414,7 +414,7 @@ fn an_unknown_mistake_is_described_by_what_is_measured() {
         "shape.intersect_ray(&Ray { direction: ray.direction.normalize(), ..*ray }, min_t)",
     );
     let place = "first_hit.rs:";
-    let why = "an object was asked about another ray than the one given";
+    let why = "an object was asked about a ray other than the one given";
     assert!(said.contains(place) && said.contains(why), "{said}");
 }
 

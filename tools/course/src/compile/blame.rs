@@ -175,7 +175,7 @@ pub fn alone(
         }
     }
     if blamed.is_empty() && matches!(compile(already)?, BuildResult::Refused { .. }) {
-        let text = "each of these answers compiles alone, but not together with the others\n";
+        let text = "this answer compiles alone, but not together with the others\n";
         blamed.extend(
             suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
         );
@@ -193,7 +193,7 @@ pub fn all(submission: &Submission, already: &Replacements) -> Replacements {
 }
 
 /// The message for answers that together take too long.
-const TOO_LONG: &str = "error: these answers together take the compiler too long\n  = help: look for \
+const TOO_LONG: &str = "error: the answers together take too long to compile\n  = help: look for \
                         constants that take long to compute\n";
 
 #[cfg(test)]

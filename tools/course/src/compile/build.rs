@@ -63,7 +63,7 @@ pub fn build(
     let executable = folder.join(PROGRAM);
     let failed = Error::environment(
         format!("cannot write to {}", programs.display()),
-        "free some disk space and check that the folder can be written",
+        "free some disk space and check that you may write to the folder",
     );
     let lock = prune::lock(programs).or_fail(&failed)?;
     if sandbox.is_sealed(&executable) {

@@ -178,8 +178,8 @@ fn fingerprint(libraries: &[(String, PathBuf)]) -> String {
 /// Links the libraries into a folder that appears only when it is complete.
 fn fill(folder: &Path, libraries: &[(String, PathBuf)]) -> Result<()> {
     let failed = Error::environment(
-        format!("cannot gather the harness in {}", folder.display()),
-        "free some disk space and check that the folder can be written",
+        format!("cannot copy the harness to {}", folder.display()),
+        "free some disk space and check that you may write to the folder",
     );
     let fresh = folder.with_extension(format!("new{}", std::process::id()));
     fs::create_dir_all(&fresh).or_fail(&failed)?;

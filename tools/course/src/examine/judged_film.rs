@@ -114,7 +114,7 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
         Ending::OutOfMemory(most) => FilmOutcome::OutOfMemory { most: *most },
         Ending::Died(death) => FilmOutcome::Died {
             how: match last_words(&reply.printed) {
-                Some(words) => format!("{death}; the last words that it printed are “{words}”"),
+                Some(words) => format!("{death}; the last line that it printed is “{words}”"),
                 None => death.to_string(),
             },
         },

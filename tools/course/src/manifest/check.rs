@@ -72,7 +72,7 @@ impl Manifest {
         let mistakes = mistake_hashes(assignment).unwrap_or_default();
         if !mistakes.is_empty() && !self.mistakes.is_empty() && mistakes != self.mistakes {
             problems.push(
-                "the mistakes have changed since the goldens were made: cargo pinhole golden \
+                "the mistakes have changed since the goldens were made; run: cargo pinhole golden \
                  mistakes"
                     .into(),
             );

@@ -105,7 +105,7 @@ impl<R: Read + Seek> Archive<R> {
             return Err(format!("it holds more than {MOST_ENTRIES} files"));
         }
         if zip.has_duplicate_names() {
-            return Err("it holds two files of the same name".into());
+            return Err("it holds two files with the same name".into());
         }
         left.set(MOST_READ);
         let mut files = BTreeMap::new();
@@ -116,7 +116,7 @@ impl<R: Read + Seek> Archive<R> {
             let name = text::name(entry.name_raw());
             let path = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
             if !entry.is_dir() && files.insert(path, index).is_some() {
-                return Err(format!("{name:?} is there twice"));
+                return Err(format!("{name:?} appears twice"));
             }
         }
         Ok(Archive { zip, left, files })

@@ -111,7 +111,7 @@ impl Finder<'_> {
             }
         }
         if numbers > MOST_NUMBERS {
-            self.flag(1, format!("{numbers} numbers written out"));
+            self.flag(1, format!("{numbers} number literals"));
         }
     }
 

@@ -124,7 +124,7 @@ fn a_compound_within_one_task_needs_an_answer_of_its_own() {
     let course = assignment("within-one-task");
     write_compound(&course, &["plane_tests_zero", "plane_normal_not_unit"]);
     let ran = validate(&course, &["--only", "mistakes"]).expect_code(2);
-    ran.expect_err("compound: its beliefs are both about plane");
+    ran.expect_err("compound: two of its beliefs are about plane");
 }
 
 #[test]

@@ -52,7 +52,7 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
         let others: Vec<&str> = others.iter().map(|group| group.name.as_str()).collect();
         if !others.is_empty() {
             let others = others.join(", ");
-            line(text, format!("    {QUIET}and also: {others}{QUIET:#}"));
+            line(text, format!("    {QUIET}also failing: {others}{QUIET:#}"));
         }
     }
     let warnings = task.warnings.lines().take(MOST_WARNING_LINES);

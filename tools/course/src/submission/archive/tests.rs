@@ -99,7 +99,7 @@ fn two_files_of_one_name_refuse_the_whole_archive() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("spherX.rs", b"// two")]);
     forge(&path, b"spherX.rs", b"sphere.rs");
     assert!(
-        refusal(&path).contains("two files of the same name"),
+        refusal(&path).contains("two files with the same name"),
         "{}",
         refusal(&path)
     );

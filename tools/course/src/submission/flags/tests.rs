@@ -106,7 +106,7 @@ fn a_table_of_results_is_flagged() {
     let table = "1.25, ".repeat(400);
     assert_eq!(
         whats(&format!("const A: [f64; 400] = [{table}];")),
-        ["401 numbers written out"]
+        ["401 number literals"]
     );
 }
 
