@@ -49,7 +49,7 @@ class Camera:
     def pixel_steps(self):
         """What one pixel to the right and one pixel up add to a ray (scene units).
 
-        They add it to the direction in perspective, to the origin otherwise.
+        In perspective, both are added to the direction, otherwise to the origin.
         """
         u, v, _ = self.frame
         n_x, n_y = self.resolution

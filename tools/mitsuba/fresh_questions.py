@@ -24,12 +24,12 @@ class Strata:
 
     Every number that a function asks for while it draws one question is a dimension:
     the size, the distance, the direction's length, the share of min_t. A dimension is
-    known by its range and by how many of this range the question has asked for before.
+    identified by its range and by how many numbers from it the question has had before.
     Each is spread evenly by itself and in an order of its own, so the questions are a
     Latin hypercube (McKay, Beckman and Conover, 1979). What is not a number from a range
     is drawn independently.
 
-    A mistake may show only where several numbers are extreme at once: a huge t takes a
+    A mistake may show only where several numbers are extreme at once: a huge t needs a
     large sphere, far away, and a short direction. So for one question in `EXTREME` all
     numbers are drawn towards the ends of their ranges.
     """
@@ -79,8 +79,9 @@ class Strata:
 
 
 def _spread(rng):
-    """Endless numbers in [0, 1). Each interval of length 2^-k holds one of the first 2^k
-    numbers, so they are spread evenly even if only some of the questions ask for them."""
+    """An endless sequence of numbers in [0, 1). Each interval of length 2^-k holds one of the
+    first 2^k numbers, so they are spread evenly even if only some of the questions ask for
+    them."""
     numbers = rng.uniform(size=1)
     yield from numbers
     while True:

@@ -90,8 +90,8 @@ def say(line):
 
 
 def question_items(arguments):
-    """One item for each group of the committed questions; a kind may set a different number
-    of them than most."""
+    """One item for each group of the committed questions; a kind may set its own number
+    of questions."""
     from question_films import QUESTIONS
 
     def count_of(task):

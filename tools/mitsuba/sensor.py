@@ -43,7 +43,7 @@ def sensor_rays(camera, i, j):
 
     A Mitsuba ray starts on the near clip plane and has unit length. Ours starts
     at the eye (perspective) or on the image plane (orthographic), and its
-    direction d is scaled so that d.(-w) is the focal length, respectively 1.
+    direction d is scaled so that d.(-w) is the focal length or 1, respectively.
     """
     eye_sensor = sensor(camera)
     n_x, n_y = camera.resolution

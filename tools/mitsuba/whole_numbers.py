@@ -1,4 +1,4 @@
-"""Small whole numbers to ask about, where many questions are exact ties.
+"""Questions with small whole numbers, many of which are exact ties.
 
 A tie is a question whose answer depends on comparing two equal numbers: t exactly `min_t`,
 a ray exactly through an edge, two objects at the same t. Vectors are numpy arrays of
@@ -35,7 +35,7 @@ def not_zero(rng):
 
 @dataclass(frozen=True)
 class Ray:
-    """A ray o + t d, t >= min_t, from a whole point or, as often, one in quarters."""
+    """A ray o + t d, t >= min_t, from a point in whole numbers or, as often, in quarters."""
 
     origin: np.ndarray
     direction: np.ndarray  # not 0

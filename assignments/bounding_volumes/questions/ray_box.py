@@ -90,7 +90,7 @@ def max_t(rng):
 
 
 def zero_direction(rng):
-    """Rays parallel to one or two axis planes, inside or outside the box's slab."""
+    """Rays parallel to one or two coordinate planes, inside or outside the box's slab."""
     shape = box(rng)
     return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3))
 

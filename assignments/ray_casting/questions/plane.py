@@ -1,7 +1,7 @@
 """Questions about one plane.
 
 A ray is aimed at a target on the plane from a distance; a negative distance puts
-the plane behind it, which is a miss.
+the plane behind the ray, which is a miss.
 """
 
 from dataclasses import dataclass
@@ -81,8 +81,8 @@ def offset(rng):
 
 @dataclass(frozen=True)
 class Flattened(Question):
-    """A question about a space that was flattened towards the plane, and the same question
-    before, which Mitsuba answers: flattening changes neither t nor the normal."""
+    """A question about a space that was flattened towards the plane, and the question
+    before flattening, which Mitsuba answers: flattening changes neither t nor the normal."""
 
     before: Question
 

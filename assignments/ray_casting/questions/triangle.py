@@ -90,7 +90,7 @@ def front(rng):
 
 def back(rng):
     """Seen from behind: it is hit too, and its normal stays as it is. One triangle in ten
-    is seen nearly edge-on, and hit well inside: no bound on the angle tells that it is missed."""
+    is seen nearly edge-on, and hit well inside: no bound on the angle tells hits from misses."""
     if rng.uniform() < 0.1:
         cosine = log_uniform(rng, 3e-4, 3e-2)
         at = 0.2 + 0.4 * rng.dirichlet((1, 1, 1))

@@ -67,15 +67,16 @@ impl Command {
 ///
 /// The end of the output and the top of class.html list what you should look at: files that are
 /// part of no submission, and submissions that lack files, that could belong to several people, or
-/// that belong to nobody on the roster. If anything is listed there, the exit code is 1.
+/// that belong to nobody on the roster. If any of these may have cost somebody points, the exit
+/// code is 1.
 ///
 /// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
 /// are the same for the whole class. A submission then earns the points for a group of
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
 /// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// makes random scenes. If the random scenes that need the same tasks earn a larger share of their
-/// points than the weakest task does, that share is the limit instead.
+/// also makes random scenes. If a scene needs only tasks that these need, and a larger share of
+/// them passes, that share is its limit instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -339,7 +340,7 @@ fn shard(text: &str) -> Result<(usize, usize), String> {
     let parts = parts.and_then(|(k, n)| Some((k.parse().ok()?, n.parse().ok()?)));
     parts
         .filter(|(k, n)| (1..=*n).contains(k))
-        .ok_or_else(|| format!("`{text}` is not a part like 2/8"))
+        .ok_or_else(|| format!("`{text}` is not K/N with K from 1 to N, such as 2/8"))
 }
 
 #[cfg(test)]

@@ -83,7 +83,7 @@ class Question:
 
 def intersections(thing, direction):
     """All intersections of one object with a ray from the origin of space, nearest
-    first: a list of (t, normal). Each cast starts behind the hit before."""
+    first: a list of (t, normal). Each cast starts just behind the last hit."""
     world, start, found = to_mitsuba([thing]), np.zeros((1, 3)), []
     min_t = 0.0
     while True:

@@ -93,7 +93,7 @@ class Question:
 
 
     def thickened(self):
-        """The box, thickened in each axis in which the ray runs exactly in a face.
+        """The box, thickened along each axis that has a face in which the ray runs.
 
         The faces belong to the box, and a ray that does not move along an axis enters and
         leaves a thicker box at the same t.

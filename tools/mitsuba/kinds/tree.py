@@ -49,8 +49,8 @@ class Question:
     )
 
     def values(self):
-        """The pixel of the question's film: the boxes, and a right tree for pictures. Of each
-        triangle it says in which of the leaves it is, and how deep that leaf is. The depths of
+        """The pixel of the question's film: the boxes, and a right tree for pictures. For each
+        triangle, it says which leaf it is in, and how deep that leaf is. The depths of
         all leaves, from the first to the last, determine the tree."""
         values = np.zeros(len(self.channels))
         values[0] = len(self.boxes)

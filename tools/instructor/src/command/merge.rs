@@ -67,7 +67,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let mut are_old = false;
     for (result, others, is_earlier) in results.into_iter().flatten() {
         if is_earlier {
-            let why = "its mark is for earlier answers; grade the part again that it belongs to";
+            let why = "its mark is for earlier answers; grade its part again";
             run.faults.push((result.record.id.clone(), why.into()));
         }
         run.changes.extend(others);

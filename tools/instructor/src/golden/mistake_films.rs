@@ -69,7 +69,7 @@ pub fn make(
         }
         Ok(casts)
     };
-    let counter = Counter::new("casting the mistakes", films_to_cast.len(), progress);
+    let counter = Counter::new("rendering the mistakes", films_to_cast.len(), progress);
     let films = films_to_cast
         .par_iter()
         .map(|film| counter.after(cast_all(film)));

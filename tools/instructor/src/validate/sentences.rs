@@ -93,7 +93,7 @@ impl Sentences {
         if self.tasks >= FEW && (self.told as f64) < enough * self.tasks as f64 {
             let (told, tasks) = (self.told, self.tasks);
             faults.push(format!(
-                "only {told} of {tasks} {what} with wrong answers are described by a law"
+                "only {told} of {tasks} {what} with wrong answers are described by a sentence"
             ));
         }
         faults

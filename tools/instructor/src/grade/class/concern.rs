@@ -55,7 +55,7 @@ impl Roll {
             ("not part of any submission", true, self.ignored.clone()),
             ("who handed in nothing", false, people(&placed.missing)),
             (
-                "that were read in spite of an unexpected name, encoding or number of uploads",
+                "read despite an unexpected name, encoding or number of uploads",
                 false,
                 entries(&|it| &it.notes),
             ),

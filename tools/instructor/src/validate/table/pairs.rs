@@ -34,12 +34,12 @@ pub fn sentences(sentences: &Sentences) -> String {
     } = sentences;
     let wrong = sentences.wrong.len();
     let said = format!(
-        "for {told} of {tasks} wrong answers, a law says how or where they are wrong; {wrong} of \
-         {tested} tested sentences are false"
+        "for {told} of {tasks} wrong answers, a sentence says how or where they are wrong; \
+         {wrong} of {tested} tested sentences are false"
     );
     let mut text = row(wrong == 0, "  measured", said);
     for untold in &sentences.untold {
-        text += &format!("  {QUIET}no law: {untold}{QUIET:#}\n");
+        text += &format!("  {QUIET}no sentence: {untold}{QUIET:#}\n");
     }
     text
 }

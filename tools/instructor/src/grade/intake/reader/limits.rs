@@ -68,11 +68,11 @@ impl Limits {
             ),
             unpacked: Limit::new(
                 (1 << 30) + more,
-                "it unpacks to more than 20 times its length",
+                "it unpacks to more than 20 times its size",
             ),
             passed: Limit::new(
                 (4 << 30) + more,
-                "it unpacks to more than 20 times its length",
+                "it unpacks to more than 20 times its size",
             ),
             files: Limit::new(u64::MAX, ""),
             reserved: Limit::new(more, ""),
@@ -87,7 +87,7 @@ impl Limits {
         Limits {
             kept: Limit::new(16 << 20, answers),
             unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
-            passed: Limit::new(4 << 30, "it contains more than 4 GiB to read through"),
+            passed: Limit::new(4 << 30, "more than 4 GiB of it would have to be read"),
             files: Limit::new(100_000, "it contains more than 100000 files"),
             reserved: Limit::new(0, ""),
             until: Some(Instant::now() + MOST_TIME),
