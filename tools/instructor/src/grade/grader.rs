@@ -279,8 +279,8 @@ impl Grader<'_> {
         {
             report.said.push_str(&format!(
                 " All scenes together earn at most {most} points, because a scene earns no larger \
-                 share of its points than the weakest of the tasks that it needs, and tasks must \
-                 pass fresh questions too."
+                 share of its points than the weakest of the tasks that it needs. Tasks must pass \
+                 fresh questions too."
             ));
         }
         Ok(report)
