@@ -128,8 +128,8 @@ impl<'a> Merged<'a> {
 }
 
 /// Puts a submission's result into the merged class: the mark in the first part that has one or, if
-/// no part has a mark, the reason. `None` if no part has the submission. All marks must be made with
-/// the same goldens, fresh questions and assignment.
+/// no part has a mark, the reason. `None` if no part has the submission. All marks must be made
+/// with the same goldens, fresh questions and assignment.
 fn merged<'a>(
     id: &str,
     parts: &'a [Part],
