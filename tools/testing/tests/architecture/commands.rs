@@ -49,17 +49,18 @@ fn the_file_that_runs_a_command_has_its_subcommand_and_options() {
     for (command, file) in run {
         let text = fs::read_to_string(root().join(&file)).unwrap_or_default();
         let is_option = |word: &&str| word.starts_with("--");
-        let words = command.split(' ');
-        let named = match command.starts_with("pinhole ") {
-            true => words.clone().nth(1),
-            false => None,
+        let words: Vec<&str> = command.split(' ').collect();
+        // A command is one word, or two if it has subcommands of its own.
+        let named = match words[..] {
+            ["pinhole", group @ ("book" | "golden"), command, ..] => vec![group, command],
+            ["pinhole", command, ..] => vec![command],
+            _ => Vec::new(),
         };
-        let options = words.skip(1).filter(is_option);
-        let mut absent = named
-            .into_iter()
-            .chain(options)
-            .filter(|word| !text.contains(word));
-        if let Some(word) = absent.next() {
+        if !text.contains(&named.join(" ")) && !text.contains(&named.join("\", \"")) {
+            wrong.push(format!("{file} does not have {}", named.join(" ")));
+        }
+        let mut options = words.into_iter().filter(is_option);
+        if let Some(word) = options.find(|word| !text.contains(word)) {
             wrong.push(format!("{file} does not have {word} of {command}"));
         }
     }
