@@ -85,7 +85,6 @@ struct Secondary {
     offset: f64,
     leaving: u64,
     self_hits: u64,
-    near: u64,
     lost: u64,
 }
 
@@ -183,7 +182,7 @@ impl Record {
         for it in &self.secondary {
             let name = format!("{}_{}_{}", it.shape, word(&it.method), it.offset);
             add(format!("self_{name}"), share(it.self_hits, it.leaving));
-            add(format!("lost_{name}"), share(it.lost, it.near));
+            add(format!("lost_{name}"), share(it.lost, it.leaving));
         }
         for it in self.breaking.iter().filter(|it| it.numbers == NUMBERS) {
             let name = format!(

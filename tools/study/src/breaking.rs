@@ -24,18 +24,16 @@ pub fn breaking(sweep: &Sweep, data: Data) -> Vec<BreakingPoint> {
 
 fn of_kernel(sweep: &Sweep, data: Data, at: usize) -> BreakingPoint {
     let broken = |point: &&Point| is_broken(&point.kernels[at].tally, data);
-    // The exponent nearest to 0 is the easiest: search upwards and downwards from there.
+    // The exponent nearest to 0 is the easiest: search upwards from there.
     let exponents = || sweep.points.iter().map(|point| point.exponent);
     let easy = exponents().min_by_key(|x| x.abs()).unwrap_or_default();
-    let above = sweep.points.iter().filter(|point| point.exponent >= easy);
-    let below = sweep.points.iter().filter(|point| point.exponent <= easy);
+    let mut above = sweep.points.iter().filter(|point| point.exponent >= easy);
     let named = &sweep.points[0].kernels[at];
     BreakingPoint {
         shape: sweep.shape,
         family: sweep.family,
         kernel: named.kernel,
         numbers: named.numbers,
-        above: { above }.find(broken).map(|point| point.exponent),
-        below: below.rev().find(broken).map(|point| point.exponent),
+        above: above.find(broken).map(|point| point.exponent),
     }
 }

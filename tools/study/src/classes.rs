@@ -41,7 +41,7 @@ pub fn trades<S: HasFamilies>(sweeps: &[Sweep], extent: &Extent) -> Vec<Trade> {
         for (entry, judged) in judged {
             let sum = |of: fn(&Tally) -> u64| judged.iter().map(|it| of(&it.tally)).sum::<u64>();
             let errors = judged.iter().flat_map(|it| &it.errors);
-            let [median_ulp, worst_ulp] = median_and_worst(errors.map(|error| error.0));
+            let [median_ulp, _] = median_and_worst(errors.map(|error| error.0));
             let (time, instructions) = &costs[&entry];
             trades.push(Trade {
                 shape: S::NAME,
@@ -52,7 +52,6 @@ pub fn trades<S: HasFamilies>(sweeps: &[Sweep], extent: &Extent) -> Vec<Trade> {
                 wrong: sum(Tally::wrong),
                 not_finite: sum(|tally| tally.not_finite),
                 median_ulp,
-                worst_ulp,
                 nanoseconds: Some(time.nanoseconds),
                 spread: Some(time.spread),
                 instructions: *instructions,

@@ -14,12 +14,10 @@ use crate::vector::Vector;
 /// Questions that get harder, or smaller, or larger, with an exponent.
 #[derive(Clone, Copy)]
 pub struct Family<S> {
-    /// One word or two, for `--only` and for file names.
+    /// One word or two, for tables and file names.
     pub name: &'static str,
     /// What is swept, as the label of an axis: "distance / radius = 10^x".
     pub axis: &'static str,
-    /// What it shows, in a sentence for people who know no numerical analysis.
-    pub meaning: &'static str,
     /// The exponents, for each type of data.
     pub exponents: fn(Data) -> Vec<i32>,
     /// Questions are everyday ones if the exponent's magnitude is at most this.

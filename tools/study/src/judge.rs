@@ -6,15 +6,13 @@ use crate::contestants::Contestant;
 use crate::oracle::{HasTruth, Root, Truth};
 use crate::question::{Data, Question};
 
-/// The result. Ties are only counted, not judged. Questions whose true t exceeds the type's
-/// largest number are left out.
+/// The result. Two sorts of questions are left out: ties, which an exact equality decides, such as
+/// a tangent ray, and those whose true t exceeds the type's largest number.
 #[derive(Clone, Debug, Default, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tally {
     /// Questions that were judged.
     pub asked: u64,
-    /// Questions that an exact equality decides, such as a tangent ray.
-    pub ties: u64,
     /// Questions whose true answer is a hit.
     pub hits: u64,
     /// Misses that were answered with a hit.
@@ -27,8 +25,6 @@ pub struct Tally {
     pub not_finite: u64,
     /// The median error of t in ulp, over true hits with a finite answer.
     pub median_ulp: Option<f64>,
-    /// The largest error of t in ulp, over the same hits.
-    pub worst_ulp: Option<f64>,
 }
 
 impl Tally {
@@ -84,11 +80,7 @@ pub fn judge<S: HasTruth>(
     let mut tally = Tally::default();
     let mut errors = Vec::new();
     for (at, (question, truth)) in questions.iter().zip(truths).enumerate() {
-        if truth.is_tie {
-            tally.ties += 1;
-            continue;
-        }
-        if truth.t.as_ref().is_some_and(|t| !t.fits(data)) {
+        if truth.is_tie || truth.t.as_ref().is_some_and(|t| !t.fits(data)) {
             continue;
         }
         tally.asked += 1;
@@ -104,6 +96,6 @@ pub fn judge<S: HasTruth>(
             (Some(root), Some(t)) => errors.push((at, root.error_in_ulp(t, data))),
         }
     }
-    [tally.median_ulp, tally.worst_ulp] = median_and_worst(errors.iter().map(|error| error.1));
+    [tally.median_ulp, _] = median_and_worst(errors.iter().map(|error| error.1));
     (tally, errors)
 }

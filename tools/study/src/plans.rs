@@ -9,9 +9,9 @@ use std::time::Instant;
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
 use crate::extent::Extent;
-use crate::oracle::scene::{Errors, TrueHit, errors};
+use crate::oracle::scene::{FilmErrors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
-use crate::result::{PlanErrors, PlanTally};
+use crate::result::PlanTally;
 use crate::scenes::{self, Stage};
 use crate::speed::{Workload, race};
 
@@ -68,17 +68,8 @@ fn least_time<T>(prepare: impl Fn() -> T) -> f64 {
 }
 
 /// Casts all rays by a plan, and judges the result by the truth.
-pub fn kept(casting: &PlannedCaster, truths: &[TrueHit]) -> (PlanErrors, Tally) {
-    let rays = casting.rays();
+pub fn kept(casting: &PlannedCaster, truths: &[TrueHit]) -> (FilmErrors, Tally) {
     let (hits, tally) = casting.hits();
-    let Errors { wrong_ids, of_hits } = errors(rays, truths, hits);
-    let is_kept = |(t, normal): &&(f64, f64)| t.max(*normal) <= casting.accuracy;
-    let kept = PlanErrors {
-        rays: rays.len() as u64,
-        wrong_ids,
-        violations: (of_hits.len() - of_hits.iter().filter(is_kept).count()) as u64,
-        worst_t: of_hits.iter().map(|hit| hit.0).fold(0.0, f64::max),
-        worst_normal: of_hits.iter().map(|hit| hit.1).fold(0.0, f64::max),
-    };
+    let kept = errors(casting.rays(), truths, hits, casting.accuracy);
     (kept, tally)
 }

@@ -5,6 +5,7 @@ use serde::Serialize;
 
 use crate::judge::Tally;
 use crate::kernel::Tier;
+use crate::oracle::scene::FilmErrors;
 use crate::question::Class;
 
 /// The version of the document; it changes when a field changes its meaning.
@@ -79,8 +80,6 @@ pub struct Sweep {
     pub shape: &'static str,
     /// The family's name.
     pub family: &'static str,
-    /// What the family shows.
-    pub meaning: &'static str,
     /// The meaning of x.
     pub axis: &'static str,
     /// The type that the questions' numbers are rounded to.
@@ -157,8 +156,6 @@ pub struct Trade {
     pub not_finite: u64,
     /// The median error of t, in ulp.
     pub median_ulp: Option<f64>,
-    /// The largest error of t, in ulp.
-    pub worst_ulp: Option<f64>,
     /// CPU time for one ray and one shape, in the median round.
     pub nanoseconds: Option<f64>,
     /// Half the width of the median's 95 % confidence interval, divided by the median.
@@ -223,8 +220,6 @@ pub struct BreakingPoint {
     pub numbers: &'static str,
     /// Going up from the easiest exponent, the first at which the kernel is broken.
     pub above: Option<i32>,
-    /// Going down from the easiest exponent, the first at which the kernel is broken.
-    pub below: Option<i32>,
 }
 
 /// One way to cast one whole scene.
@@ -238,18 +233,12 @@ pub struct SceneTally {
     pub model: &'static str,
     /// `brute force` or `boxes`.
     pub search: Option<&'static str>,
-    /// Spheres, planes and triangles in the scene.
-    pub parts: u64,
     /// Pixels that were cast.
     pub rays: u64,
     /// Pixels with a wrong object.
     pub wrong_ids: u64,
-    /// The median relative error of t, where the object is right.
-    pub median_t: Option<f64>,
     /// The largest relative error of t, where the object is right.
-    pub worst_t: Option<f64>,
-    /// The largest angle between a normal and the true one, in radians.
-    pub worst_normal: Option<f64>,
+    pub worst_t: f64,
     /// CPU time for a ray, in the median film.
     pub nanoseconds: Option<f64>,
     /// Instructions for a ray of a film, by callgrind.
@@ -282,26 +271,9 @@ pub struct Secondary {
     /// Those of the rays in `leaving` that hit the surface again, which causes dark specks in
     /// shadows.
     pub self_hits: u64,
-    /// Rays aimed at a surface that is a thousandth of the sphere's radius away.
-    pub near: u64,
-    /// Those of the rays in `near` that miss that surface, which causes light leaks.
+    /// As many rays are aimed at a surface that is a thousandth of the sphere's radius away. These
+    /// miss it, which causes light leaks.
     pub lost: u64,
-}
-
-/// How well a planned film keeps its promise, judged by the oracle.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-pub struct PlanErrors {
-    /// Rays that were judged.
-    pub rays: u64,
-    /// Rays with a wrong object.
-    pub wrong_ids: u64,
-    /// Rays whose t or normal has a larger error than was requested.
-    pub violations: u64,
-    /// The largest relative error of t.
-    pub worst_t: f64,
-    /// The largest angle between a normal and the true one, in radians.
-    pub worst_normal: f64,
 }
 
 /// One plan, and its result at the pixels of its scene.
@@ -314,7 +286,7 @@ pub struct PlanTally {
     pub accuracy: f64,
     /// The oracle's judgement of its film.
     #[serde(flatten)]
-    pub kept: PlanErrors,
+    pub kept: FilmErrors,
     /// Pixels whose t and normal were computed exactly.
     pub exact_hits: u64,
     /// Time for making the plan, divided by the number of pixels.

@@ -116,7 +116,6 @@ fn swept<S: HasFamilies + Conditioning>(family: &Family<S>, data: Data, extent: 
     Sweep {
         shape: S::NAME,
         family: family.name,
-        meaning: family.meaning,
         axis: family.axis,
         data: data.name(),
         points,

@@ -10,8 +10,7 @@ use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
 use crate::extent::Extent;
-use crate::judge::median_and_worst;
-use crate::oracle::scene::{Errors, TrueHit, errors};
+use crate::oracle::scene::{TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{EXACT_OBJECTS, search_name};
 use crate::random_scene::grid;
@@ -160,7 +159,6 @@ pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<SceneTally>, pinhole:
         tallies.push(SceneTally {
             scene: name,
             model: "Mitsuba",
-            parts: casting.parts().len() as u64,
             ..judged(casting.rays(), &casting.truths(), hits)
         });
     }
@@ -175,11 +173,7 @@ pub fn of_grid(seed: u64, extent: &Extent) -> Vec<SceneTally> {
 }
 
 fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
-    let (rays, parts, truths) = (
-        stage.exact.rays(),
-        stage.exact.parts(),
-        stage.exact.truths(),
-    );
+    let (rays, truths) = (stage.exact.rays(), stage.exact.truths());
     let films = WAYS.map(|(_, plain)| Box::new(move || stage.cast(plain)) as Workload);
     let times = race(films.into(), rays.len(), extent.seconds);
     let cheaper = stage.exact.has_boxes;
@@ -192,7 +186,6 @@ fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
             scene: name.into(),
             model,
             search: Some(search_name(has_boxes)),
-            parts: parts.len() as u64,
             nanoseconds: Some(time.nanoseconds),
             instructions: is_counted.then(count).flatten(),
             tests: Some(tally.tests as f64 / rays.len() as f64),
@@ -207,14 +200,11 @@ fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
 }
 
 fn judged(rays: &[Ray<f64>], truths: &[TrueHit], hits: Vec<Option<Hit>>) -> SceneTally {
-    let Errors { wrong_ids, of_hits } = errors(rays, truths, hits);
-    let [median_t, worst_t] = median_and_worst(of_hits.iter().map(|hit| hit.0));
+    let errors = errors(rays, truths, hits, f64::INFINITY);
     SceneTally {
-        rays: rays.len() as u64,
-        wrong_ids,
-        median_t,
-        worst_t,
-        worst_normal: of_hits.into_iter().map(|hit| hit.1).reduce(f64::max),
+        rays: errors.rays,
+        wrong_ids: errors.wrong_ids,
+        worst_t: errors.worst_t,
         ..SceneTally::default()
     }
 }

@@ -96,7 +96,6 @@ fn of_method(
         offset,
         leaving: 0,
         self_hits: 0,
-        near: 0,
         lost: 0,
     };
     while tally.leaving < count as u64 {
@@ -134,6 +133,5 @@ fn of_method(
         let near = near.map(f32::of, f32::of);
         tally.lost += u64::from(meet(&near, &towards, min_t).is_none());
     }
-    tally.near = tally.leaving;
     tally
 }

@@ -13,7 +13,6 @@ impl HasFamilies for Plane<f64> {
             Family {
                 name: "parallel",
                 axis: "angle between ray and plane = 10^−x",
-                meaning: "rays that run more and more along the plane; the last is exactly parallel",
                 exponents: |_| decades(18),
                 everyday: 2,
                 ask: |random, x, _| parallel(random, x),
@@ -24,15 +23,11 @@ impl HasFamilies for Plane<f64> {
             Family {
                 name: "normal",
                 axis: "length of the stored normal = 10^x",
-                meaning: "the same plane with a longer or a shorter normal: nothing should change",
                 exponents: scales,
                 everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l, |n| n * ten_to(x), |d| d, |t| t),
             },
-            variations::threshold(
-                "(distance of min_t from t) / t = 10^−x",
-                "rays whose min_t is just in front of the plane or just behind it",
-            ),
+            variations::threshold("(distance of min_t from t) / t = 10^−x"),
         ]
     }
 

@@ -13,7 +13,6 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "distance",
                 axis: "distance / radius = 10^x",
-                meaning: "the same ball from further and further away; about half the rays hit it",
                 exponents: |_| decades(9),
                 everyday: 3,
                 ask: |random, x, _| {
@@ -25,7 +24,6 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "ground",
                 axis: "radius / height of the eye = 10^x",
-                meaning: "a ball as large as a planet, seen from just above its surface, looking towards the horizon",
                 exponents: |_| decades(9),
                 everyday: 4,
                 ask: |random, x, _| ground(random, ten_to(x)),
@@ -33,7 +31,6 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "grazing",
                 axis: "distance of the line from the ball's edge = 10^−x radii",
-                meaning: "rays that only just touch a ball, or only just miss it",
                 exponents: |_| (1..=16).collect(),
                 everyday: 4,
                 ask: |random, x, _| {
@@ -45,7 +42,6 @@ impl HasFamilies for Sphere<f64> {
             Family {
                 name: "surface",
                 axis: "distance of the eye from the surface = 10^−x radii",
-                meaning: "rays that start on a ball, or just outside or inside it, as reflections do",
                 exponents: |_| (1..=17).collect(),
                 everyday: 4,
                 ask: |random, x, _| {
@@ -59,10 +55,7 @@ impl HasFamilies for Sphere<f64> {
             variations::direction(),
             variations::offset(),
             variations::scale(),
-            variations::threshold(
-                "(distance of min_t from the near root) / near root = 10^−x",
-                "rays whose min_t is just in front of the near side or just behind it",
-            ),
+            variations::threshold("(distance of min_t from the near root) / near root = 10^−x"),
         ]
     }
 

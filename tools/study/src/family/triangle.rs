@@ -12,7 +12,6 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "distance",
                 axis: "distance / size = 10^x",
-                meaning: "rays at the same triangle and around it, from further and further away",
                 exponents: |_| decades(9),
                 everyday: 3,
                 ask: |random, x, _| {
@@ -24,7 +23,6 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "sliver",
                 axis: "length / width = 10^x",
-                meaning: "triangles that are long and thin",
                 exponents: |_| decades(9),
                 everyday: 2,
                 ask: |random, x, _| {
@@ -39,7 +37,6 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "edge-on",
                 axis: "angle between ray and triangle = 10^−x",
-                meaning: "rays that meet a triangle more and more nearly edge-on",
                 exponents: |_| decades(16),
                 everyday: 2,
                 ask: |random, x, _| {
@@ -54,7 +51,6 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "flat",
                 axis: "corners: 0 all at one point, 1 two at one point, 2 in a line, 3 in a line but for rounding",
-                meaning: "triangles with zero area: no ray meets them",
                 exponents: |_| decades(3),
                 everyday: -1,
                 ask: |random, x, _| flat(random, x),
@@ -64,7 +60,6 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "scale",
                 axis: "size of the scene = 10^x",
-                meaning: "the same scene in other units: t should grow in proportion",
                 exponents: scales,
                 everyday: 3,
                 ask: |random, x, _| Self::plain(random).map(|l| l * ten_to(x), |n| n, |d| d, |t| t),
@@ -72,17 +67,13 @@ impl HasFamilies for Triangle<f64> {
             Family {
                 name: "small",
                 axis: "size of the scene = 10^−x",
-                meaning: "the same scene in larger units, decade by decade",
                 exponents: |_| decades(9),
                 everyday: 3,
                 ask: |random, x, _| {
                     Self::plain(random).map(|l| l * ten_to(-x), |n| n, |d| d, |t| t)
                 },
             },
-            variations::threshold(
-                "(distance of min_t from t) / t = 10^−x",
-                "rays whose min_t is just in front of the triangle or just behind it",
-            ),
+            variations::threshold("(distance of min_t from t) / t = 10^−x"),
         ]
     }
 

@@ -9,7 +9,6 @@ pub fn direction<S: HasFamilies>() -> Family<S> {
     Family {
         name: "direction",
         axis: "length of the direction = 10^x",
-        meaning: "the same ray with a longer or a shorter direction: t alone should change",
         exponents: scales,
         everyday: 3,
         ask: |random, x, data| {
@@ -26,7 +25,6 @@ pub fn offset<S: HasFamilies>() -> Family<S> {
     Family {
         name: "offset",
         axis: "distance of the scene from the world's origin = 10^x",
-        meaning: "the same scene moved away from the origin of the world",
         exponents: |_| decades(12),
         everyday: 3,
         ask: |random, x, _| {
@@ -47,7 +45,6 @@ pub fn scale<S: HasFamilies>() -> Family<S> {
     Family {
         name: "scale",
         axis: "size of the scene = 10^x",
-        meaning: "the same scene in other units, direction included: t should not change",
         exponents: scales,
         everyday: 3,
         ask: |random, x, _| {
@@ -58,11 +55,10 @@ pub fn scale<S: HasFamilies>() -> Family<S> {
 }
 
 /// Varies `min_t` around the true hit: just before it, or just behind it.
-pub fn threshold<S: HasFamilies>(axis: &'static str, meaning: &'static str) -> Family<S> {
+pub fn threshold<S: HasFamilies>(axis: &'static str) -> Family<S> {
     Family {
         name: "threshold",
         axis,
-        meaning,
         exponents: |_| (1..=17).collect(),
         everyday: 4,
         ask: |random, x, _| {

@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 
 use dashu_ratio::Relaxed;
 use pinhole::Hit;
+use serde::Serialize;
 
 use super::{Exact, HasTruth, Root, Truth, sign};
 use crate::cast::world::{Part, Primitive, of_each, vector};
@@ -16,19 +17,33 @@ use crate::vector::Vector;
 /// same t, the one listed first wins.
 pub type TrueHit<'a> = Option<(&'a Part, Root)>;
 
-/// The errors of some answers.
-#[derive(Clone, Debug, Default)]
-pub struct Errors {
-    /// How often the object is wrong, a hit is missed, or a miss is a hit.
+/// The errors of a film, or of every so many pixels of one.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+pub struct FilmErrors {
+    /// Rays that were judged.
+    pub rays: u64,
+    /// Rays for which the object is wrong, a hit is missed, or a miss is a hit.
     pub wrong_ids: u64,
-    /// Where the right object is hit: the error of t, relative to the true one, and the angle
-    /// between the normals, in radians.
-    pub of_hits: Vec<(f64, f64)>,
+    /// Rays whose t or normal has a larger error than was requested.
+    pub violations: u64,
+    /// The largest relative error of t, where the object is right.
+    pub worst_t: f64,
+    /// The largest angle between a normal and the true one, in radians.
+    pub worst_normal: f64,
 }
 
-/// Compares answers with the truth.
-pub fn errors(rays: &[Ray<f64>], truths: &[TrueHit], answers: Vec<Option<Hit>>) -> Errors {
-    let mut errors = Errors::default();
+/// Compares answers with the truth. `accuracy` is what was requested for t and normals.
+pub fn errors(
+    rays: &[Ray<f64>],
+    truths: &[TrueHit],
+    answers: Vec<Option<Hit>>,
+    accuracy: f64,
+) -> FilmErrors {
+    let mut errors = FilmErrors {
+        rays: rays.len() as u64,
+        ..FilmErrors::default()
+    };
     for ((ray, truth), answer) in rays.iter().zip(truths).zip(answers) {
         match (truth, answer) {
             (None, None) => (),
@@ -38,7 +53,10 @@ pub fn errors(rays: &[Ray<f64>], truths: &[TrueHit], answers: Vec<Option<Hit>>) 
                 let truth = normal(&part.shape, ray, root);
                 let off = truth.cross(direction);
                 let angle = off.dot(off).sqrt().atan2(truth.dot(direction));
-                errors.of_hits.push((root.relative_error(t), angle));
+                let of_t = root.relative_error(t);
+                errors.violations += u64::from(!(of_t <= accuracy && angle <= accuracy));
+                errors.worst_t = errors.worst_t.max(of_t);
+                errors.worst_normal = errors.worst_normal.max(angle);
             }
             _ => errors.wrong_ids += 1,
         }
