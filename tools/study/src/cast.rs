@@ -13,12 +13,10 @@ pub mod world;
 
 use std::marker::PhantomData;
 
-use wide::f32x4;
-
+use crate::kernel::Camera;
 use crate::shape::Ray;
-use crate::vector::Vector;
-use model::{Model, Query};
-use tree::{Leaf, Tree};
+use model::{Exact, Model, Query};
+use tree::Tree;
 use world::{Accurate, Part, View, World};
 
 /// Counters of the work that a cast did.
@@ -84,10 +82,12 @@ pub struct Caster {
 }
 
 impl Caster {
-    /// Computes the filters' limits for all parts, and builds the tree. Without boxes, every part
-    /// is tested. With a view, it casts only the rays of one camera: see [`model::FromCamera`].
+    /// Prepares the parts for exact casting of the view's rays, and builds the tree. Without a
+    /// view, it casts only in plain `f64`. Without boxes, every part is tested.
     pub fn new(mut world: World, view: Option<View>, has_boxes: bool) -> Caster {
-        world.settle(view);
+        if let Some(view) = view {
+            world.settle(view);
+        }
         let tree = match has_boxes {
             true => Tree::over(&mut world),
             false => Tree::default(),
@@ -111,10 +111,40 @@ impl Caster {
         };
         match self.tree.root {
             Some(root) => self.tree.search(root, &self.world, &mut nearest),
-            None => nearest.consider(&self.world.parts),
+            None => nearest.consider_all(&self.world.parts),
         }
         nearest.found
     }
+}
+
+/// The place of the part that a single ray hits first, decided exactly, and its t. The ray's origin
+/// is the eye of a camera.
+pub fn first_hit(
+    world: World,
+    ray: &Ray<f64>,
+    min_t: f64,
+    tally: &mut Tally,
+) -> Option<(u32, f64)> {
+    let view = View {
+        camera: Camera::Perspective { eye: ray.origin },
+        accuracy: f64::INFINITY,
+    };
+    let caster = Caster::new(world, Some(view), true);
+    let found = caster.first::<Exact<true>>(ray, min_t, tally)?;
+    Some((found.part.place, found.t))
+}
+
+/// The lanes that have a bit in a mask of four bits.
+#[inline(always)]
+fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        if mask == 0 {
+            return None;
+        }
+        let lane = mask.trailing_zeros() as usize & 3;
+        mask &= mask - 1;
+        Some(lane)
+    })
 }
 
 /// The state of the search for one ray's first hit.
@@ -128,49 +158,18 @@ pub struct Nearest<'a, 'r, M> {
 impl<'a, M: Model> Nearest<'a, '_, M> {
     /// Tests these parts, and keeps the nearest hit.
     #[inline(always)]
-    fn consider(&mut self, parts: &'a [Part]) {
+    fn consider_all(&mut self, parts: &'a [Part]) {
         self.tally.tests += parts.len() as u64;
         for part in parts {
-            if let Some(found) = M::meet(part, &self.query, self.tally) {
-                self.keep(found);
-            }
+            self.consider(part);
         }
     }
 
-    /// Tests the triangles of a leaf, which are the first of these parts.
+    /// Tests a part, and keeps the hit if it is nearer.
     #[inline(always)]
-    fn consider_leaf(&mut self, leaf: &Leaf, parts: &'a [Part], packed: Vector<f32x4>) {
-        self.tally.tests += u64::from(leaf.count);
-        let met = M::meet_leaf(leaf, &self.query, packed);
-        let (mut hits, mut open) = (met.hits, met.open);
-        while hits != 0 {
-            let lane = hits.trailing_zeros() as usize & 3;
-            hits &= hits - 1;
-            match met.t[lane].is_finite() {
-                true => self.keep(Found::new(&parts[lane], met.t[lane])),
-                false => open |= 1 << lane,
-            }
-        }
-        match open != 0 && !M::HAS_CAMERA {
-            true => self.consider_open(open, parts),
-            false => self.consider_lanes(open, parts),
-        }
-    }
-
-    #[cold]
-    fn consider_open(&mut self, open: u32, parts: &'a [Part]) {
-        self.consider_lanes(open, parts);
-    }
-
-    /// Tests those of these parts that have a bit in `lanes`.
-    #[inline(always)]
-    fn consider_lanes(&mut self, mut lanes: u32, parts: &'a [Part]) {
-        while lanes != 0 {
-            let part = &parts[lanes.trailing_zeros() as usize & 3];
-            lanes &= lanes - 1;
-            if let Some(found) = M::meet(part, &self.query, self.tally) {
-                self.keep(found);
-            }
+    fn consider(&mut self, part: &'a Part) {
+        if let Some(found) = M::meet(part, &self.query, self.tally) {
+            self.keep(found);
         }
     }
 

@@ -10,9 +10,8 @@ use std::ops::Range;
 
 use rayon::prelude::*;
 
-use crate::cast::model::Exact;
 use crate::cast::world::{Primitive, World};
-use crate::cast::{Caster, Tally};
+use crate::cast::{Tally, first_hit};
 use crate::contestants::Contestant;
 use crate::contestants::HasKernels;
 use crate::family::{HasFamilies, questions, steps};
@@ -113,9 +112,8 @@ fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
     let answer = |question: &Question<S>| {
         let mut world = World::default();
         world.add(0, question.shape.into());
-        let (caster, mut tally) = (Caster::new(world, None, true), Tally::default());
-        let found = caster.first::<Exact>(&question.ray, question.min_t, &mut tally);
-        found.map(|found| found.t)
+        let hit = first_hit(world, &question.ray, question.min_t, &mut Tally::default());
+        hit.map(|(_, t)| t)
     };
     [kernel, Contestant { answer, ..kernel }]
 }
@@ -128,12 +126,11 @@ fn edges(seed: u64) -> Count {
     for face in &ball.triangles {
         world.add(0, Primitive::Triangle(*face));
     }
-    let caster = Caster::new(world, None, true);
     let mut count = Count::default();
     for aim in Aim::BOTH {
         for _ in 0..BATCH {
             let (ray, mut tally) = (ball.ray(&mut random, aim), Tally::default());
-            let met = caster.first::<Exact>(&ray, 0.0, &mut tally);
+            let met = first_hit(world.clone(), &ray, 0.0, &mut tally);
             count.asked += 1;
             count.wrong += u64::from(met.is_none());
             count.exact += tally.exact;

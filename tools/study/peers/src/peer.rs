@@ -1,7 +1,7 @@
 //! The casters to compare. Each casts the same rays at the same mesh and returns the first t of
 //! each.
 
-use pinhole_study::cast::model::{Exact, FromCamera, Model, Plain};
+use pinhole_study::cast::model::{Exact, Model, Plain};
 use pinhole_study::cast::world::{Primitive, View, World};
 use pinhole_study::cast::{Caster, Tally};
 use pinhole_study::kernel::Camera;
@@ -35,7 +35,7 @@ pub const PARRY: &str = "parry3d-f64";
 type Maker = fn(&Mesh, &[Ray]) -> Cast;
 
 const ALL: &[(&str, Maker)] = &[
-    (EXACT, exact),
+    (EXACT, ours::<Exact<true>>),
     ("ours, plain f64", ours::<Plain>),
     #[cfg(embree)]
     (ROBUST, crate::embree::robust),
@@ -56,16 +56,8 @@ pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
     ALL.iter().map(timed).collect()
 }
 
-/// The exact caster. If all rays start at the same point, they are cast as those of a camera.
-fn exact(mesh: &Mesh, rays: &[Ray]) -> Cast {
-    match rays.iter().all(|ray| ray.origin == rays[0].origin) {
-        true => ours::<FromCamera<true>>(mesh, rays),
-        false => ours::<Exact>(mesh, rays),
-    }
-}
-
 /// The study's caster, with its bounding volume hierarchy.
-pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
+fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let wide = |[x, y, z]: [f32; 3]| Vector::new(x, y, z).map(f64::from);
     let mut world = World::default();
     for corners in mesh.each() {
@@ -73,7 +65,7 @@ pub fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
         world.add(0, Primitive::Triangle(Triangle { corners }));
     }
     let eye = rays[0].origin.map(f64::from);
-    let view = M::HAS_CAMERA.then_some(View {
+    let view = M::FILTERS.then_some(View {
         camera: Camera::Perspective { eye },
         accuracy: f64::INFINITY,
     });

@@ -1,12 +1,7 @@
-//! Primary rays, and incoherent ones that start at the hits of the primary rays.
+//! The rays of a camera.
 
-use pinhole_study::cast::model::Exact;
-use pinhole_study::random::Random;
 use pinhole_study::shape;
 use pinhole_study::vector::Vector;
-
-use crate::mesh::Mesh;
-use crate::peer::ours;
 
 /// A ray in `f32`; the direction need not be unit length.
 pub type Ray = shape::Ray<f32>;
@@ -26,22 +21,4 @@ pub fn primary() -> Vec<Ray> {
         }
     };
     (0..SIDE * SIDE).map(ray).collect()
-}
-
-/// As many rays, which start slightly before the hits of the primary rays, in random
-/// directions.
-pub fn incoherent(mesh: &Mesh, primary: &[Ray]) -> Vec<Ray> {
-    let met: Vec<_> = ours::<Exact>(mesh, primary)()
-        .into_iter()
-        .zip(primary)
-        .collect();
-    let mut random = Random::new(1, "incoherent");
-    let hits = met.iter().filter(|(t, _)| t.is_finite()).cycle();
-    let bounce = |(t, ray): &(f64, &Ray)| {
-        let wide = ray.map(f64::from, f64::from);
-        let origin = wide.origin + wide.direction * (t * (1.0 - 1e-4));
-        let direction = random.unit();
-        shape::Ray { origin, direction }.map(|x| x as f32, |x| x as f32)
-    };
-    hits.map(bounce).take(primary.len()).collect()
 }

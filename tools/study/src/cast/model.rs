@@ -4,9 +4,8 @@ use wide::f32x4;
 
 use super::tree::{Leaf, Packet};
 use super::world::{Accurate, Part, Primitive, World, of_each};
-use super::{Found, Tally};
+use super::{Found, Nearest, Tally, lanes};
 use crate::kernel::sphere::ScaledRay;
-use crate::kernel::triangle::{PacketHits, TrianglePacket};
 use crate::kernel::{
     Camera, Filtered, Kernel, ScaledQuery, Tier, decided, plane, sphere, triangle,
 };
@@ -22,8 +21,6 @@ pub struct Query<'r> {
     pub scaled: ScaledQuery,
     /// The smallest t that counts; not negative.
     pub min_t: f64,
-    /// Whether the origin is near enough for the parts' precomputed limits to hold.
-    is_near: bool,
     /// What the camera does not fix of the ray: the q of [`Camera`].
     pub varying: Vector<f64>,
 }
@@ -32,7 +29,7 @@ impl<'r> Query<'r> {
     /// Prepares a ray. What only filters need is computed only for models with filters.
     #[inline(always)]
     pub fn new<M: Model>(ray: &'r Ray<f64>, min_t: f64, world: &World) -> Query<'r> {
-        let may_differ = M::HAS_CAMERA && !M::HAS_EYE;
+        let may_differ = M::FILTERS && !M::HAS_EYE;
         let camera = world.camera.as_ref().filter(|_| may_differ);
         let (scaled, varying) = Camera::scaled(camera, ray);
         let from = if M::FILTERS { scaled.scale(min_t) } else { 0.0 };
@@ -40,40 +37,33 @@ impl<'r> Query<'r> {
             ray,
             scaled: ScaledQuery::new(scaled, from),
             min_t,
-            is_near: M::HAS_CAMERA || M::FILTERS && world.reach.holds(ray.origin),
             varying,
         }
     }
 }
 
 /// A choice of kernels.
-pub trait Model: Sync + 'static {
+pub trait Model: Sized + Sync + 'static {
     /// Bound on the relative error of t: the true first hit may be this much further than the t
     /// found.
     const SLACK: f64;
-    /// Whether the kernels use filters.
+    /// Whether the kernels use filters, which are made for the rays of the world's camera.
     const FILTERS: bool;
-    /// Whether all rays are those of the camera for which the caster was made.
-    const HAS_CAMERA: bool = false;
-    /// Whether this camera has a perspective, so that all rays start at its eye.
-    const HAS_EYE: bool = false;
+    /// Whether all rays start at the camera's eye.
+    const HAS_EYE: bool;
 
     /// The hit with the smallest t ≥ `min_t` of a ray with a part.
     fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>>;
-    /// Tests the triangles of a leaf, with what the camera does not fix in `f32`. The caller tests
-    /// undecided ones again, one by one.
-    fn meet_leaf(leaf: &Leaf, query: &Query, packed: Vector<f32x4>) -> PacketHits;
+    /// Tests the triangles of a leaf, which are the first of these parts, and keeps the nearest
+    /// hit. `packed` is what the camera does not fix, in `f32`.
+    fn consider_leaf<'a>(
+        leaf: &Leaf,
+        parts: &'a [Part],
+        packed: Vector<f32x4>,
+        nearest: &mut Nearest<'a, '_, Self>,
+    );
     /// Whether hit `one` comes before hit `other`.
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
-}
-
-/// The triangles of a leaf, for rays from anywhere.
-#[inline(always)]
-fn general(leaf: &Leaf) -> &TrianglePacket {
-    match &leaf.packet {
-        Packet::General(packet) => packet,
-        Packet::FromCamera(_) => unreachable!("the caster was made for a camera"),
-    }
 }
 
 /// Plain `f64`: the best kernels without exact decisions, and a comparison of rounded t.
@@ -82,6 +72,7 @@ pub struct Plain;
 impl Model for Plain {
     const SLACK: f64 = 0.0;
     const FILTERS: bool = false;
+    const HAS_EYE: bool = false;
 
     #[inline(always)]
     fn meet<'a>(part: &'a Part, query: &Query, _: &mut Tally) -> Option<Found<'a>> {
@@ -97,8 +88,19 @@ impl Model for Plain {
     }
 
     #[inline(always)]
-    fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
-        general(leaf).plainly(query.ray, query.min_t)
+    fn consider_leaf<'a>(
+        leaf: &Leaf,
+        parts: &'a [Part],
+        _: Vector<f32x4>,
+        nearest: &mut Nearest<'a, '_, Self>,
+    ) {
+        let Packet::Plain(four) = &leaf.packet else {
+            unreachable!("the caster was made for a camera");
+        };
+        let (hits, t) = four.intersect(nearest.query.ray, nearest.query.min_t);
+        for lane in lanes(hits) {
+            nearest.keep(Found::new(&parts[lane], t[lane]));
+        }
     }
 
     #[inline(always)]
@@ -107,30 +109,48 @@ impl Model for Plain {
     }
 }
 
-/// The adaptive kernels: hit or miss is never wrong, and neither is the order of hits.
-pub struct Exact;
+/// Kernels with filters for the rays of the camera for which the caster was made: hit or miss is
+/// never wrong, and neither is the order of hits. `HAS_EYE` says whether the camera has a
+/// perspective, so that all rays start at its eye.
+pub struct Exact<const HAS_EYE: bool>;
 
 /// The kernels' t have a relative error of at most √u = 2⁻²⁶·⁵. Two t that differ by more than
 /// this are in their true order.
 const APART: f64 = 4.0 * 1.1e-8;
 
-impl Model for Exact {
+impl<const HAS_EYE: bool> Model for Exact<HAS_EYE> {
     const SLACK: f64 = APART;
     const FILTERS: bool = true;
+    const HAS_EYE: bool = HAS_EYE;
 
     #[inline(always)]
     fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
-        let t = filtered(part, query)
-            .unwrap_or_else(|| left_open(&part.shape, query.ray, query.min_t, tally));
-        t.map(|t| Found::new(part, t))
+        let Part { shape, limits, .. } = part;
+        let answer = match &part.from_camera {
+            Some(it) => it.filtered::<HAS_EYE>(query.varying, &query.scaled, limits),
+            None => of_each!(shape, shape => shape.filtered(&query.scaled, limits)),
+        };
+        match answer {
+            Some(t) => t.map(|t| Found {
+                is_accurate: part.accurate >= Accurate::IfFiltered,
+                ..Found::new(part, t)
+            }),
+            None => left_open(shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t)),
+        }
     }
 
     #[inline(always)]
-    fn meet_leaf(leaf: &Leaf, query: &Query, _: Vector<f32x4>) -> PacketHits {
-        let four = general(leaf);
-        match query.is_near {
-            true => four.filtered(&query.scaled, &leaf.limits),
-            false => four.left_open(),
+    fn consider_leaf<'a>(
+        leaf: &Leaf,
+        parts: &'a [Part],
+        packed: Vector<f32x4>,
+        nearest: &mut Nearest<'a, '_, Self>,
+    ) {
+        let Packet::FromCamera(four) = &leaf.packet else {
+            unreachable!("the caster was made for plain `f64`");
+        };
+        for lane in lanes(four.candidates::<HAS_EYE>(packed)) {
+            nearest.consider(&parts[lane]);
         }
     }
 
@@ -144,59 +164,6 @@ impl Model for Exact {
                 comes_first_exactly(one.part, other.part, query.ray, query.min_t)
             }
         }
-    }
-}
-
-/// The static filter's answer, or `None` if rounding might have changed it.
-#[inline(always)]
-fn filtered(part: &Part, query: &Query) -> Option<Option<f64>> {
-    match query.is_near {
-        true => of_each!(&part.shape, shape => shape.filtered(&query.scaled, &part.limits)),
-        false => None,
-    }
-}
-
-/// Like [`Exact`], for the rays of the camera for which the caster was made. `HAS_EYE` says whether
-/// it has a perspective.
-pub struct FromCamera<const HAS_EYE: bool>;
-
-impl<const HAS_EYE: bool> Model for FromCamera<HAS_EYE> {
-    const SLACK: f64 = APART;
-    const FILTERS: bool = true;
-    const HAS_CAMERA: bool = true;
-    const HAS_EYE: bool = HAS_EYE;
-
-    #[inline(always)]
-    fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
-        let answer = match &part.from_camera {
-            Some(it) => it.filtered::<HAS_EYE>(query.varying, &query.scaled, &part.limits),
-            None => filtered(part, query),
-        };
-        match answer {
-            Some(t) => t.map(|t| Found {
-                is_accurate: part.accurate >= Accurate::IfFiltered,
-                ..Found::new(part, t)
-            }),
-            None => {
-                left_open(&part.shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t))
-            }
-        }
-    }
-
-    #[inline(always)]
-    fn meet_leaf(leaf: &Leaf, _: &Query, packed: Vector<f32x4>) -> PacketHits {
-        let Packet::FromCamera(four) = &leaf.packet else {
-            unreachable!("the caster was made for rays from anywhere");
-        };
-        PacketHits {
-            open: four.candidates::<HAS_EYE>(packed),
-            ..PacketHits::NOTHING
-        }
-    }
-
-    #[inline(always)]
-    fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool {
-        Exact::comes_first(one, other, query, tally)
     }
 }
 

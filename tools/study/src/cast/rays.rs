@@ -1,15 +1,15 @@
-//! Where rays come from: the rays of a scene's camera, and a region that contains most ray origins.
+//! Where rays come from: the rays of a scene's camera, and the region that contains their origins.
 //! Error bounds for all rays that start inside it are computed once per part instead of once per
 //! ray.
 
 use pinhole::{Projection, Scene};
 
-use super::world::{Part, vector};
+use super::world::vector;
 use crate::kernel::Camera;
 use crate::kernel::sphere::at_most;
 use crate::number::Real;
 use crate::shape::Ray;
-use crate::vector::{Vector, around};
+use crate::vector::Vector;
 
 /// The camera, as filters see it.
 pub fn camera(scene: &Scene, rays: &[Ray<f64>]) -> Camera {
@@ -43,34 +43,15 @@ pub fn rays(scene: &Scene) -> Vec<Ray<f64>> {
     (0..resolution.pixels()).map(through).collect()
 }
 
-/// A cube around a scene, several times as large as the scene.
-#[derive(Clone, Copy, Debug, Default)]
+/// A cube around the origins of a camera's rays.
+#[derive(Clone, Copy, Debug)]
 pub struct Reach {
     center: Vector<f64>,
     /// Half the cube's side.
     radius: f64,
 }
 
-/// A camera is seldom further away than this many times the scene's size.
-const SIZES: f64 = 8.0;
-
 impl Reach {
-    /// The reach of a scene: around its bounded parts and the points of its planes.
-    pub fn around(parts: &[Part]) -> Reach {
-        let ends = |part: &Part| {
-            let anchor = part.shape.anchor();
-            part.shape.bounds().unwrap_or([anchor, anchor])
-        };
-        let Some([low, high]) = around(parts.iter().map(ends)) else {
-            return Reach::default();
-        };
-        let center = low * 0.5 + high * 0.5;
-        Reach {
-            center,
-            radius: SIZES * (high - center).largest(),
-        }
-    }
-
     /// The reach of a camera: four times as large as necessary, because some errors grow with the
     /// distance of the origin from the centre.
     pub fn of(camera: &Camera) -> Reach {
@@ -101,12 +82,5 @@ impl Reach {
             largest => at_most(largest),
         };
         apart + at_most(self.radius)
-    }
-
-    /// Whether a ray from this origin is within reach. For other rays, kernels compute bounds
-    /// of their own, which takes longer.
-    #[inline(always)]
-    pub fn holds(&self, origin: Vector<f64>) -> bool {
-        (origin - self.center).largest() <= self.radius
     }
 }

@@ -23,7 +23,6 @@ use super::Nearest;
 use super::model::{Model, Query};
 use super::slabs::{Boxes, Frame, Slabs};
 use super::world::{Part, PartFromCamera, Primitive, World};
-use crate::kernel::Limits;
 use crate::kernel::triangle::{PacketFromCamera, TrianglePacket};
 use crate::shape::Triangle;
 use crate::vector::{Vector, around};
@@ -46,10 +45,8 @@ const LONE: u32 = 1 << 30;
 pub struct Leaf {
     /// The triangles.
     pub packet: Packet,
-    /// The limits of all of them.
-    pub limits: Limits,
     /// How many there are.
-    pub count: u32,
+    count: u32,
     /// Index of the first of its parts.
     first: u32,
 }
@@ -57,8 +54,8 @@ pub struct Leaf {
 /// The triangles of a leaf, for the model that the tree was built for.
 #[derive(Clone, Copy, Debug)]
 pub enum Packet {
-    /// For rays from anywhere.
-    General(TrianglePacket),
+    /// For plain `f64`.
+    Plain(TrianglePacket),
     /// For the rays of one camera.
     FromCamera(PacketFromCamera),
 }
@@ -147,11 +144,12 @@ impl Tree {
         match leaf & LONE {
             0 => {
                 let leaf = &self.leaves[(leaf & !LEAF) as usize];
-                nearest.consider_leaf(leaf, &world.parts[leaf.first as usize..], packed);
+                nearest.tally.tests += u64::from(leaf.count);
+                M::consider_leaf(leaf, &world.parts[leaf.first as usize..], packed, nearest);
             }
             _ => {
                 let part = (leaf & !(LEAF | LONE)) as usize;
-                nearest.consider(&world.parts[part..=part]);
+                nearest.consider_all(&world.parts[part..=part]);
             }
         }
     }
@@ -164,7 +162,7 @@ impl Tree {
         world: &'a World,
         nearest: &mut Nearest<'a, '_, M>,
     ) {
-        nearest.consider(&world.parts[self.boundless..]);
+        nearest.consider_all(&world.parts[self.boundless..]);
         let packed = nearest.query.varying.map(|q| f32x4::splat(q as f32));
         if at & LEAF != 0 {
             return self.meet(at, world, packed, nearest);
@@ -176,7 +174,7 @@ impl Tree {
         }
         match Slabs::of(&self.frame, &scaled.scaled, *min_t) {
             Some(slabs) => self.traverse::<M, false>(at, &slabs, world, packed, nearest),
-            None => nearest.consider(&world.parts[..self.boundless]),
+            None => nearest.consider_all(&world.parts[..self.boundless]),
         }
     }
 
@@ -368,19 +366,16 @@ impl<'a> WideTreeBuilder<'a> {
         if triangles.is_empty() {
             return LEAF | LONE | first;
         }
-        let limits = parts.iter().map(|part| part.limits).reduce(Limits::or);
-        let limits = limits.expect("a leaf has parts");
         let from_camera = |part: &&'p Part| match &part.from_camera {
-            Some(PartFromCamera::Triangle(triangle)) => Some(triangle),
+            Some(PartFromCamera::Triangle(triangle)) => Some((triangle, part.limits.sign)),
             _ => None,
         };
         let from_camera: ArrayVec<_, 4> = parts.iter().filter_map(from_camera).collect();
         self.tree.leaves.push(Leaf {
             packet: match from_camera.is_empty() {
-                true => Packet::General(TrianglePacket::new(&triangles)),
-                false => Packet::FromCamera(PacketFromCamera::new(&from_camera, &limits)),
+                true => Packet::Plain(TrianglePacket::new(&triangles)),
+                false => Packet::FromCamera(PacketFromCamera::new(&from_camera)),
             },
-            limits,
             count: triangles.len() as u32,
             first,
         });

@@ -53,7 +53,7 @@ pub struct Part {
     pub place: u32,
     /// Its shape.
     pub shape: Primitive,
-    /// The filters' limits for rays from within [`World::reach`].
+    /// The filters' limits for the rays of the camera.
     pub limits: Limits,
     /// The constants for the rays of the camera, if there is one.
     pub from_camera: Option<PartFromCamera>,
@@ -133,9 +133,7 @@ pub enum Accurate {
 pub struct World {
     /// The tree may reorder them; [`Part::place`] keeps the original index.
     pub parts: Vec<Part>,
-    /// The region that most rays are assumed to start in.
-    pub reach: Reach,
-    /// The camera, if all rays are those of one.
+    /// The camera whose rays are cast exactly; `None` if rays are cast in plain `f64`.
     pub camera: Option<Camera>,
 }
 
@@ -192,17 +190,13 @@ impl World {
 
     /// Computes the filters' limits of all parts, and their constants for the camera. Call it when
     /// the list is complete.
-    pub fn settle(&mut self, view: Option<View>) {
-        self.reach = match view {
-            Some(view) => Reach::of(&view.camera),
-            None => Reach::around(&self.parts),
-        };
-        self.camera = view.map(|view| view.camera);
+    pub fn settle(&mut self, view: View) {
+        self.camera = Some(view.camera);
+        let reach = Reach::of(&view.camera);
         for part in &mut self.parts {
-            let away = self.reach.away(part.shape.anchor());
-            let distance = self.reach.distance(part.shape.anchor());
-            let required =
-                view.map_or(0.0, |view| required_t(&part.shape, distance, view.accuracy));
+            let away = reach.away(part.shape.anchor());
+            let distance = reach.distance(part.shape.anchor());
+            let required = required_t(&part.shape, distance, view.accuracy);
             part.accurate = match required {
                 PROVEN_T.. => Accurate::Always,
                 LEAST_REQUIRED.. => Accurate::IfFiltered,
@@ -213,7 +207,7 @@ impl World {
                 _ => ROOT_OF_UNIT,
             };
             part.limits = of_each!(&part.shape, shape => shape.limits(away, distance, accuracy));
-            part.from_camera = view.and_then(|view| PartFromCamera::new(&part.shape, &view.camera));
+            part.from_camera = PartFromCamera::new(&part.shape, &view.camera);
             if let Some(PartFromCamera::Sphere(sphere)) = &part.from_camera {
                 let limits = &mut part.limits;
                 limits.divisor = limits

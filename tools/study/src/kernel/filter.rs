@@ -2,8 +2,7 @@
 //! names of its kinds follow the literature (Shewchuk 1997; Brönnimann, Burnikel & Pion,
 //! "Interval arithmetic yields efficient dynamic filters for computational geometry", *Discrete
 //! Applied Mathematics* 109, 2001). A *static* filter has [`Limits`] that are computed once for
-//! a shape and all rays that start near enough. A *semi-static* one is the same code, with
-//! limits computed for one ray.
+//! a shape and all rays of a camera. A *semi-static* one has limits computed for one ray.
 
 use serde::Serialize;
 
@@ -38,17 +37,6 @@ pub struct Limits {
     /// The sign of t's dividend is certain, and its relative error at most ½√u, if its
     /// magnitude exceeds this.
     pub dividend: f64,
-}
-
-impl Limits {
-    /// The limits of a filter that is right for both shapes.
-    pub fn or(self, other: Limits) -> Limits {
-        Limits {
-            sign: self.sign.max(other.sign),
-            divisor: self.divisor.max(other.divisor),
-            dividend: self.dividend.max(other.dividend),
-        }
-    }
 }
 
 /// A ray with a `min_t`, as filters see it: which t are certainly at least `min_t`, and which are

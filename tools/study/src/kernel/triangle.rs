@@ -10,5 +10,5 @@ mod woop;
 pub use double_double_filter::double_double_filter;
 pub use from_camera::{PacketFromCamera, TriangleFromCamera};
 pub use moller_trumbore::{MollerTrumbore, MollerTrumboreEpsilon};
-pub use triangle_packet::{PacketHits, TrianglePacket};
+pub use triangle_packet::TrianglePacket;
 pub use woop::Woop;

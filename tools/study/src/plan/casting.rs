@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::refined::refined;
 use super::{FINEST, PRICES, price_of_all};
 use crate::cast::bounds::normal_of;
-use crate::cast::model::FromCamera;
+use crate::cast::model::Exact;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
 use crate::cast::{Caster, Found, Tally};
@@ -96,8 +96,8 @@ impl PlannedCaster {
     fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let (caster, min_t) = (&self.caster, self.min_t);
         let found = match caster.world.camera {
-            Some(Camera::Perspective { .. }) => caster.first::<FromCamera<true>>(ray, min_t, tally),
-            _ => caster.first::<FromCamera<false>>(ray, min_t, tally),
+            Some(Camera::Perspective { .. }) => caster.first::<Exact<true>>(ray, min_t, tally),
+            _ => caster.first::<Exact<false>>(ray, min_t, tally),
         };
         let Found { part, t, .. } = found?;
         let (t, normal) = match found?.is_accurate && has_digits(t) {

@@ -134,15 +134,16 @@ pub struct PacketFromCamera {
 }
 
 impl PacketFromCamera {
-    /// Packs one to four triangles, which share the limits of a leaf.
-    pub fn new(triangles: &[&TriangleFromCamera], limits: &Limits) -> PacketFromCamera {
+    /// Packs one to four triangles, each with its [`Limits::sign`].
+    pub fn new(triangles: &[(&TriangleFromCamera, f64)]) -> PacketFromCamera {
         let lanes = [0, 1, 2, 3].map(|lane| {
-            let sides = triangles.get(lane).unwrap_or(&triangles[0]).sides;
+            let (TriangleFromCamera { sides, .. }, sign) =
+                triangles.get(lane).unwrap_or(&triangles[0]);
             let largest = sides.iter().map(Affine::largest).fold(0.0, f64::max);
             let scaled = move |x: f64| x.times_power_of_two(-1 - exponent(largest));
             // Nothing is certain about sides that overflow or have no digits.
             let bound = match (1e-250..1e250).contains(&largest) {
-                true => 40.0 / (1 << 24) as f64 + scaled(limits.sign),
+                true => 40.0 / (1 << 24) as f64 + scaled(*sign),
                 false => f64::INFINITY,
             };
             let side = sides.map(|Affine { slope, offset }| (slope.map(scaled), scaled(offset)));
