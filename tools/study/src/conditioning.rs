@@ -31,7 +31,7 @@ fn of_hit(ray: &Ray<f64>, t: f64, n: Vector<f64>, points: Vector<f64>, rest: f64
 impl Conditioning for Sphere<f64> {
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
         let Question { shape, ray, .. } = question;
-        let (t, other) = (truth.t.as_ref()?.value(), truth.other.as_ref()?.value());
+        let (t, other) = (truth.t.as_ref()?.value, truth.other.as_ref()?.value);
         let d = ray.direction;
         let n = ray.origin + d * t - shape.center;
         // N·d is half the distance of the roots times d·d. Computed directly, it would cancel.
@@ -44,7 +44,7 @@ impl Conditioning for Sphere<f64> {
 impl Conditioning for Plane<f64> {
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
         let Question { shape, ray, .. } = question;
-        let (t, n) = (truth.t.as_ref()?.value(), shape.normal);
+        let (t, n) = (truth.t.as_ref()?.value, shape.normal);
         let across = ray.origin + ray.direction * t - shape.point;
         let of_normal = magnitude(n).dot(magnitude(across));
         let nd = n.dot(ray.direction);
@@ -55,7 +55,7 @@ impl Conditioning for Plane<f64> {
 impl Conditioning for Triangle<f64> {
     fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
         let Question { shape, ray, .. } = question;
-        let t = truth.t.as_ref()?.value();
+        let t = truth.t.as_ref()?.value;
         let n = shape.outward_near_one();
         // The barycentric weights of the hit add up to 1, so the corners together contribute at
         // most the largest.

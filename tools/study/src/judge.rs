@@ -61,12 +61,12 @@ const APART: f64 = 64.0;
 /// apart than the radius. Nearly tangent roots are not told apart either: their error is measured
 /// instead.
 fn is_of_other_side(truth: &Truth, root: &Root, t: f64, data: Data) -> bool {
-    let Some(other) = truth.other.as_ref().map(Root::value) else {
+    let Some(other) = truth.other.as_ref().map(|other| other.value) else {
         return false;
     };
     truth.are_apart
+        && (t - other).abs() < (t - root.value).abs()
         && root.error_in_ulp(other, data) > APART
-        && (t - other).abs() < (t - root.value()).abs()
 }
 
 /// Judges a kernel's answers to questions with known true answers. Also returns the error in ulp of

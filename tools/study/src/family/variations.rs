@@ -65,7 +65,7 @@ pub fn threshold<S: HasFamilies>(axis: &'static str) -> Family<S> {
             loop {
                 let question = S::plain(random);
                 if let Some(root) = S::truth(&question).t {
-                    let min_t = root.value() * (1.0 + random.sign() * ten_to(-x));
+                    let min_t = root.value * (1.0 + random.sign() * ten_to(-x));
                     return Question { min_t, ..question };
                 }
             }

@@ -3,7 +3,7 @@
 
 use std::cmp::Ordering;
 
-use dashu_ratio::Relaxed;
+use dashu_int::ops::Abs;
 use pinhole::Hit;
 use serde::Serialize;
 
@@ -94,13 +94,8 @@ pub fn normal(shape: &Primitive, ray: &Ray<f64>, t: &Root) -> Vector<f64> {
     };
     // Divide by the largest component, so that the conversion to floats neither underflows nor
     // overflows.
-    let magnitude = |number: &Relaxed| match sign(number) < 0 {
-        true => -number.clone(),
-        false => number.clone(),
-    };
-    let larger = |p: Relaxed, q: Relaxed| if p < q { q } else { p };
-    let largest = along.0.iter().map(magnitude).reduce(larger);
-    let largest = largest.filter(|number| sign(number) > 0);
+    let magnitudes = along.0.iter().map(|number| number.clone().abs());
+    let largest = magnitudes.max().filter(|number| sign(number) > 0);
     let largest = largest.unwrap_or(super::fraction(1.0));
     let [x, y, z] = along.0.map(|number| (number / &largest).to_f64().value());
     let along = Vector::new(x, y, z);

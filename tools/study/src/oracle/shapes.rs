@@ -44,7 +44,7 @@ impl HasTruth for Sphere<f64> {
         let (t, other) = (Root::from(t), Root::from(other));
         let length = ray.direction.array().into_iter().fold(0.0, f64::hypot);
         Truth {
-            are_apart: (other.value() - t.value()).abs() > shape.radius.abs() / length,
+            are_apart: (other.value - t.value).abs() > shape.radius.abs() / length,
             t: Some(t),
             other: Some(other),
             is_tie,

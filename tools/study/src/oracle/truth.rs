@@ -1,5 +1,4 @@
-use dashu_int::UBig;
-use dashu_int::ops::BitTest;
+use dashu_int::ops::Abs;
 use dashu_ratio::Relaxed;
 
 use super::{fraction, sign};
@@ -47,71 +46,46 @@ impl Truth {
 pub struct Root {
     /// The number as a fraction.
     pub exact: Relaxed,
-    /// `exact` = (`high` + `low`) × 2^`exponent`, to 106 bits, with |`high`| from 1 to 2.
-    high: f64,
-    low: f64,
-    exponent: i32,
+    /// The nearest `f64`.
+    pub value: f64,
 }
 
 impl From<Relaxed> for Root {
     fn from(exact: Relaxed) -> Root {
-        if sign(&exact) == 0 {
-            return Root {
-                exact,
-                high: 0.0,
-                low: 0.0,
-                exponent: -100_000,
-            };
-        }
-        let (_, numerator) = exact.numerator().clone().into_parts();
-        let guess = numerator.bit_len() as i32 - exact.denominator().bit_len() as i32;
-        let shift = |power: i32| match power >= 0 {
-            true => Relaxed::from(UBig::ONE << power as usize),
-            false => fraction(1.0) / Relaxed::from(UBig::ONE << -power as usize),
-        };
-        let near_one = &exact * shift(-guess);
-        let adjust = exponent(near_one.to_f64().value());
-        let scaled = near_one * shift(-adjust);
-        let high = scaled.to_f64().value();
-        let low = (scaled - fraction(high)).to_f64().value();
-        Root {
-            exact,
-            high,
-            low,
-            exponent: guess + adjust,
-        }
+        let value = exact.to_f64().value();
+        Root { exact, value }
     }
 }
 
 impl Root {
     /// Whether it is within the range of a type.
     pub fn fits(&self, data: Data) -> bool {
-        self.exponent <= exponent(data.largest()) && self.value().abs() <= data.largest()
-    }
-
-    /// The nearest `f64`.
-    pub fn value(&self) -> f64 {
-        let power = self.exponent.clamp(-3000, 3000);
-        self.high.times_power_of_two(power)
+        self.value.abs() <= data.largest()
     }
 
     /// The relative error of an answer; for a true t of 0, the absolute error.
     pub fn relative_error(&self, answer: f64) -> f64 {
-        let near_one = answer.times_power_of_two(-self.exponent);
-        match self.high == 0.0 {
-            true => answer.abs(),
-            false => ((near_one - self.high) - self.low).abs() / self.high.abs(),
+        match sign(&self.exact) {
+            0 => answer.abs(),
+            _ => self.error(answer, &self.exact),
         }
     }
 
     /// The error of an answer, in ulp of the true t in that type.
     pub fn error_in_ulp(&self, answer: f64, data: Data) -> f64 {
-        let last_place = (self.exponent - data.digits() + 1).max(data.smallest_exponent());
-        if self.high == 0.0 {
-            return answer.abs().times_power_of_two((-last_place).min(2000));
+        let last_place = match self.value == 0.0 {
+            true => i32::MIN,
+            false => exponent(self.value) - data.digits() + 1,
+        };
+        let last_place = last_place.max(data.smallest_exponent());
+        self.error(answer, &fraction(1f64.times_power_of_two(last_place)))
+    }
+
+    /// The error of an answer, divided by the magnitude of `unit`, and rounded once.
+    fn error(&self, answer: f64, unit: &Relaxed) -> f64 {
+        match Relaxed::try_from(answer) {
+            Ok(answer) => ((&self.exact - answer) / unit).abs().to_f64().value(),
+            Err(_) => f64::INFINITY,
         }
-        let near_one = answer.times_power_of_two(-self.exponent);
-        let error = ((near_one - self.high) - self.low).abs();
-        error.times_power_of_two(self.exponent - last_place)
     }
 }
