@@ -6,62 +6,43 @@
 //! implicit function theorem, with N along the normal at the hit, ∂t/∂e = −N / (N·d) and ∂t/∂d
 //! = t ∂t/∂e. Moving the shape moves t the other way.
 
-use crate::oracle::{HasTruth, Truth};
+use crate::cast::world::Primitive;
+use crate::oracle::Truth;
 use crate::question::Question;
-use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::shape::{Plane, Sphere};
 use crate::vector::{Vector, around};
-
-/// A shape whose questions have a condition number.
-pub trait Conditioning: HasTruth {
-    /// κ of a true hit, to a few digits. It is infinite if the ray only touches the shape.
-    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64>;
-}
 
 fn magnitude(v: Vector<f64>) -> Vector<f64> {
     v.map(f64::abs)
 }
 
-/// κ from the normal n, the magnitudes that the shape's points contribute per component, the
-/// contribution of its other numbers, and N·d.
-fn of_hit(ray: &Ray<f64>, t: f64, n: Vector<f64>, points: Vector<f64>, rest: f64, nd: f64) -> f64 {
-    let place = magnitude(ray.origin) + magnitude(ray.direction * t) + points;
-    (magnitude(n).dot(place) + rest) / (t * nd).abs()
-}
-
-impl Conditioning for Sphere<f64> {
-    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
-        let Question { shape, ray, .. } = question;
-        let (t, other) = (truth.t.as_ref()?.value, truth.other.as_ref()?.value);
-        let d = ray.direction;
-        let n = ray.origin + d * t - shape.center;
-        // N·d is half the distance of the roots times d·d. Computed directly, it would cancel.
-        let nd = d.dot(d) * (other - t) / 2.0;
-        let r = shape.radius;
-        Some(of_hit(ray, t, n, magnitude(shape.center), r * r, nd))
-    }
-}
-
-impl Conditioning for Plane<f64> {
-    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
-        let Question { shape, ray, .. } = question;
-        let (t, n) = (truth.t.as_ref()?.value, shape.normal);
-        let across = ray.origin + ray.direction * t - shape.point;
-        let of_normal = magnitude(n).dot(magnitude(across));
-        let nd = n.dot(ray.direction);
-        Some(of_hit(ray, t, n, magnitude(shape.point), of_normal, nd))
-    }
-}
-
-impl Conditioning for Triangle<f64> {
-    fn condition(question: &Question<Self>, truth: &Truth) -> Option<f64> {
-        let Question { shape, ray, .. } = question;
-        let t = truth.t.as_ref()?.value;
-        let n = shape.outward_near_one();
-        // The barycentric weights of the hit add up to 1, so the corners together contribute at
-        // most the largest.
-        let [_, corners] = around(shape.corners.map(|corner| [magnitude(corner); 2]))?;
-        Some(of_hit(ray, t, n, corners, 0.0, n.dot(ray.direction)))
-    }
+/// κ of a true hit, to a few digits. It is infinite if the ray only touches the shape.
+pub fn condition<S: Copy + Into<Primitive>>(question: &Question<S>, truth: &Truth) -> Option<f64> {
+    let (e, d) = (question.ray.origin, question.ray.direction);
+    let t = truth.t.as_ref()?.value;
+    let hit = e + d * t;
+    // A normal n, N·d, the magnitudes that the shape's points contribute per component, and the
+    // contribution of its other numbers.
+    let (n, nd, points, rest) = match question.shape.into() {
+        Primitive::Sphere(Sphere { center, radius }) => {
+            // N·d is half the distance of the roots times d·d. Computed directly, it would cancel.
+            let nd = d.dot(d) * (truth.other.as_ref()?.value - t) / 2.0;
+            (hit - center, nd, magnitude(center), radius * radius)
+        }
+        Primitive::Plane(Plane { point, normal }) => {
+            let of_normal = magnitude(normal).dot(magnitude(hit - point));
+            (normal, normal.dot(d), magnitude(point), of_normal)
+        }
+        Primitive::Triangle(triangle) => {
+            let n = triangle.outward_near_one();
+            // The barycentric weights of the hit add up to 1, so the corners together contribute at
+            // most the largest.
+            let [_, corners] = around(triangle.corners.map(|corner| [magnitude(corner); 2]))?;
+            (n, n.dot(d), corners, 0.0)
+        }
+    };
+    let place = magnitude(e) + magnitude(d * t) + points;
+    Some((magnitude(n).dot(place) + rest) / (t * nd).abs())
 }
 
 /// The decade of a condition number: its power of ten, at most 20.

@@ -3,6 +3,7 @@
 
 use std::hint::black_box;
 
+use crate::cast::world::Primitive;
 use crate::kernel::{
     Adaptive, Filtered, Kernel, Tier, WidenedKernel, decided, plane, sphere, triangle,
 };
@@ -70,7 +71,7 @@ fn narrowed<S: Shape<Number = f64>, F: Real>(question: &Question<S>) -> (S::With
 }
 
 /// A shape with kernels to compare.
-pub trait HasKernels: HasTruth + Filtered {
+pub trait HasKernels: HasTruth + Filtered + Into<Primitive> {
     /// The shape's name.
     const NAME: &'static str;
     /// All kernels, for all types of numbers.

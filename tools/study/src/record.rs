@@ -88,7 +88,7 @@ pub fn record(kind: Kind, rounds: Range<u64>, seed: u64) -> Count {
 /// Questions of one family at one exponent in a round, and rays per aim at a mesh.
 const BATCH: usize = 500;
 
-fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
+fn of_shape<S: HasFamilies>(kind: Kind, seed: u64) -> Count {
     let kernels = judged::<S>();
     let mut count = Count::default();
     for (family, exponent) in steps(Data::F64) {
@@ -107,7 +107,7 @@ fn of_shape<S: HasFamilies + Into<Primitive>>(kind: Kind, seed: u64) -> Count {
 }
 
 /// The exact kernel in `f64`, and the caster as a kernel.
-fn judged<S: HasKernels + Into<Primitive>>() -> [Contestant<S>; 2] {
+fn judged<S: HasKernels>() -> [Contestant<S>; 2] {
     let (_, kernel) = S::exact_kernel();
     let answer = |question: &Question<S>| {
         let mut world = World::default();

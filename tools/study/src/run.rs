@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use crate::breaking::breaking;
 use crate::classes;
-use crate::conditioning::Conditioning;
+use crate::conditioning::condition;
 use crate::contestants::HasKernels;
 use crate::extent::{Extent, Part};
 use crate::family::{Family, HasFamilies, questions};
@@ -59,11 +59,7 @@ pub fn run(extent: &Extent, say: &dyn Fn(&str)) -> Findings {
     findings
 }
 
-fn of_shape<S: HasFamilies + Conditioning>(
-    extent: &Extent,
-    say: &dyn Fn(&str),
-    findings: &mut Findings,
-) {
+fn of_shape<S: HasFamilies>(extent: &Extent, say: &dyn Fn(&str), findings: &mut Findings) {
     let mut sweeps = Vec::new();
     for family in S::families() {
         for data in [Data::F64, Data::F32] {
@@ -84,7 +80,7 @@ fn of_shape<S: HasFamilies + Conditioning>(
 }
 
 /// Sweeps one family in one type of data, with the same questions for every kernel.
-fn swept<S: HasFamilies + Conditioning>(family: &Family<S>, data: Data, extent: &Extent) -> Sweep {
+fn swept<S: HasFamilies>(family: &Family<S>, data: Data, extent: &Extent) -> Sweep {
     let kernels = S::contestants().into_iter();
     let kernels: Vec<_> = kernels.filter(|kernel| kernel.data == data).collect();
     let mut points = Vec::new();
@@ -96,15 +92,15 @@ fn swept<S: HasFamilies + Conditioning>(family: &Family<S>, data: Data, extent: 
         let truths: Vec<_> = asked.par_iter().map(S::truth).collect();
         let judged = kernels.par_iter().map(|kernel| {
             let (tally, errors) = judge(kernel, &asked, &truths);
-            let condition = |at: usize| S::condition(&asked[at], &truths[at]);
-            let errors = errors.into_iter();
+            let with_condition = |(at, ulp): (usize, f64)| {
+                let condition = condition(&asked[at], &truths[at]);
+                (ulp, condition.unwrap_or(f64::INFINITY))
+            };
             KernelTally {
                 kernel: kernel.name,
                 numbers: kernel.numbers,
                 tally,
-                errors: errors
-                    .map(|(at, ulp)| (ulp, condition(at).unwrap_or(f64::INFINITY)))
-                    .collect(),
+                errors: errors.into_iter().map(with_condition).collect(),
             }
         });
         points.push(Point {

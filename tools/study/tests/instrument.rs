@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::sync::LazyLock;
 
-use pinhole_study::conditioning::{self, Conditioning};
+use pinhole_study::conditioning::{condition, decade};
 use pinhole_study::contestants::Contestant;
 use pinhole_study::contestants::{EXACT, HasKernels};
 use pinhole_study::extent::{Extent, Part};
@@ -194,14 +194,14 @@ fn each_class_shows_which_kernels_fail_in_it() {
 #[test]
 fn a_question_is_as_sensitive_as_its_conditioning_says() {
     // If n · d is 1e-6 times the magnitude of its products, t is a million times as sensitive.
-    for (across, decade) in [(1.0, 0), (1e-6, 6)] {
+    for (across, expected) in [(1.0, 0), (1e-6, 6)] {
         let at = |x, y, z| Vector::new(x, y, z);
         let (point, normal) = (at(0.0, 0.0, 0.0), at(1.0, 0.0, 1.0));
         let (origin, direction) = (at(0.0, 0.0, 1.0), at(1.0, 0.0, -1.0 - across));
         let question = Question::new(Plane { point, normal }, origin, direction);
-        let condition =
-            Plane::condition(&question, &Plane::truth(&question)).expect("the ray hits the plane");
-        assert_eq!(conditioning::decade(condition / 1.5), decade, "{condition}");
+        let condition = condition(&question, &Plane::truth(&question));
+        let condition = condition.expect("the ray hits the plane");
+        assert_eq!(decade(condition / 1.5), expected, "{condition}");
     }
 }
 

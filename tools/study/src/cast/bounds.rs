@@ -13,7 +13,6 @@
 use super::world::Primitive;
 use crate::number::U;
 use crate::shape::{Sphere, Triangle};
-use crate::vector::Vector;
 
 /// Sizes from 2^−150 to 2^150. No product in this file has more than five factors, so
 /// underflow, 2^−1074 each time, is far below the other rounding errors.
@@ -56,7 +55,7 @@ pub fn required_t(shape: &Primitive, distance: f64, accuracy: f64) -> f64 {
 pub fn of_normal(shape: &Primitive, distance: f64, of_t: f64) -> f64 {
     match shape {
         Primitive::Plane(_) => OF_UNIT,
-        Primitive::Triangle(triangle) => normal_of(triangle).1,
+        Primitive::Triangle(triangle) => of_triangle(triangle),
         Primitive::Sphere(sphere) => of_sphere(sphere, distance, of_t),
     }
 }
@@ -72,15 +71,14 @@ fn of_sphere(sphere: &Sphere<f64>, distance: f64, of_t: f64) -> f64 {
     }
 }
 
-/// A triangle's unit normal, and the largest error of its angle. The edges are scaled near 1 by
-/// powers of two and have components below 2, rounded by u each. So the error of each component
-/// of their cross product is at most 33u, and that of the product at most 58u.
-pub fn normal_of(triangle: &Triangle<f64>) -> (Vector<f64>, f64) {
+/// The edges are scaled near 1 by powers of two and have components below 2, rounded by u each. So
+/// the error of each component of their cross product is at most 33u, and that of the product at
+/// most 58u.
+fn of_triangle(triangle: &Triangle<f64>) -> f64 {
     let outward = triangle.outward_near_one();
     // Edges that overflow have no normal. `largest` may overlook a component that is NaN.
-    let turned = match outward.is_finite() {
+    match outward.is_finite() {
         true => 1.1 * part(64.0 * U, outward.largest()) + OF_UNIT,
         false => f64::INFINITY,
-    };
-    (outward.unit(), turned)
+    }
 }

@@ -274,6 +274,14 @@ impl Primitive {
     pub fn normal(&self, ray: &Ray<f64>, t: f64) -> Vector<f64> {
         match self {
             Primitive::Sphere(sphere) => (ray.origin - sphere.center + ray.direction * t).unit(),
+            _ => self.flat_normal(),
+        }
+    }
+
+    /// The unit normal of a plane or a triangle, computed with rounding; 0 for a sphere.
+    pub fn flat_normal(&self) -> Vector<f64> {
+        match self {
+            Primitive::Sphere(_) => Vector::default(),
             Primitive::Plane(plane) => plane.normal.unit(),
             Primitive::Triangle(triangle) => triangle.outward_near_one().unit(),
         }

@@ -8,7 +8,6 @@ use rayon::prelude::*;
 
 use super::refined::refined;
 use super::{FINEST, PRICES, price_of_all};
-use crate::cast::bounds::normal_of;
 use crate::cast::model::Exact;
 use crate::cast::rays::{camera, rays};
 use crate::cast::world::{Part, Primitive, View, World};
@@ -48,12 +47,8 @@ impl PlannedCaster {
             let pixel = scene.resolution.pixel(index);
             return Err(format!("the ray of pixel {pixel} overflows"));
         }
-        let normal = |part: &Part| match &part.shape {
-            Primitive::Sphere(_) => Vector::default(),
-            Primitive::Plane(plane) => plane.normal.unit(),
-            Primitive::Triangle(triangle) => normal_of(triangle).0,
-        };
-        let normals = world.parts.iter().map(normal).collect();
+        let normals = world.parts.iter().map(|part| part.shape.flat_normal());
+        let normals = normals.collect();
         let view = View {
             camera: camera(scene, &rays),
             accuracy,
