@@ -2,7 +2,7 @@
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
 //! ([`slabs`] tests its boxes), [`model`] chooses the kernels, [`bounds`] tells how
-//! accurate their t must be, and [`rays`] says where rays come from.
+//! accurate their t must be, and [`rays`] makes the rays of a camera.
 
 pub mod bounds;
 pub mod model;

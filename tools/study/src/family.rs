@@ -68,17 +68,11 @@ fn decades(last: i32) -> Vec<i32> {
 
 /// Exponents over the whole range of the type, in coarse steps towards its ends.
 fn scales(data: Data) -> Vec<i32> {
-    let (coarse, fine, smallest) = match data {
-        Data::F64 => (20, [3, 6, 10], -320),
-        Data::F32 => (4, [1, 2, 3], -44),
+    let (coarse, fine): (_, &[i32]) = match data {
+        Data::F64 => ((-300..=300).step_by(20), &[-320, -10, -6, -3, 3, 6, 10]),
+        Data::F32 => ((-36..=36).step_by(4), &[-44, -40, -3, -2, -1, 1, 2, 3]),
     };
-    let largest = if data == Data::F64 { 300 } else { 36 };
-    let mut scales: Vec<i32> = (-largest..=largest).step_by(coarse).collect();
-    scales.extend(fine.into_iter().flat_map(|x| [-x, x]));
-    scales.push(smallest);
-    if data == Data::F32 {
-        scales.push(-40);
-    }
+    let mut scales: Vec<i32> = coarse.chain(fine.iter().copied()).collect();
     scales.sort_unstable();
     scales
 }

@@ -20,8 +20,6 @@ use serde::Serialize;
 
 use crate::cast::bounds::of_normal;
 use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive};
-use crate::kernel::sphere::at_most;
-use crate::vector::{Vector, around};
 use casting::PlannedCaster;
 
 /// The accuracy that exact casting needs for the true object at every pixel. t and normal are as
@@ -108,11 +106,9 @@ pub const FINEST: f64 = 2e-15;
 
 /// The plan that a caster follows.
 pub fn plan(casting: &PlannedCaster) -> Plan {
-    let [low, high] = around(casting.rays().iter().map(|ray| [ray.origin; 2])).unwrap_or_default();
-    let worst_normal = |part: &&Part| {
-        let away = |origin: Vector<f64>| (origin - part.shape.anchor()).largest();
-        of_normal(&part.shape, at_most(away(low).max(away(high))), PROVEN_T)
-    };
+    let camera = &casting.camera;
+    let worst_normal =
+        |part: &&Part| of_normal(&part.shape, camera.distance(part.shape.anchor()), PROVEN_T);
     let all = casting.parts();
     let kind = |kind| {
         let parts: Vec<&Part> = all.iter().filter(|it| it.shape.kind() == kind).collect();

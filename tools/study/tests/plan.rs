@@ -97,8 +97,8 @@ fn hit_beyond_the_largest_f32_is_seen_at_that_depth() {
     assert!(t.iter().all(|t| *t == f32::MAX), "{t:?}");
 }
 
-/// At this accuracy, every normal is accurate enough, but the caster cannot know it: its bound
-/// holds for a larger region of origins.
+/// Slightly above the bound that it prints, the plan still watches hits, because it allows for the
+/// rounding of its own bounds.
 #[test]
 fn plan_says_that_the_caster_watches_hits() {
     let mut scene = hostile("five_balls_1e11");

@@ -1,7 +1,6 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
 use super::bounds::required_t;
-use super::rays::Reach;
 use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
 use crate::kernel::{Camera, Filtered, Limits, ScaledQuery, plane};
@@ -192,10 +191,9 @@ impl World {
     /// the list is complete.
     pub fn settle(&mut self, view: View) {
         self.camera = Some(view.camera);
-        let reach = Reach::of(&view.camera);
         for part in &mut self.parts {
-            let away = reach.away(part.shape.anchor());
-            let distance = reach.distance(part.shape.anchor());
+            let away = view.camera.away(part.shape.anchor());
+            let distance = view.camera.distance(part.shape.anchor());
             let required = required_t(&part.shape, distance, view.accuracy);
             part.accurate = match required {
                 PROVEN_T.. => Accurate::Always,

@@ -1,6 +1,6 @@
 //! What the rays of one film have in common. Filters that are made for a camera compute it once.
 
-use super::sphere::ScaledRay;
+use super::sphere::{ScaledRay, at_most};
 use crate::number::{Real, exponent};
 use crate::shape::Ray;
 use crate::vector::Vector;
@@ -51,6 +51,36 @@ impl Camera {
             Camera::Perspective { eye } => Some(eye),
             Camera::Orthographic { .. } => None,
         }
+    }
+
+    /// The centre of the rays' origins, and a bound on their distance from it in each component. It
+    /// is four times as large as necessary, because some errors grow with that distance.
+    fn origins(&self) -> (Vector<f64>, f64) {
+        match *self {
+            Camera::Perspective { eye } => (eye, 0.0),
+            Camera::Orthographic { scaled, exponent } => {
+                (scaled.ray.origin, 4f64.times_power_of_two(exponent))
+            }
+        }
+    }
+
+    /// The largest distance, in each component, between `anchor` and the origin of a ray. The
+    /// rounding here is covered by the slack in every bound.
+    pub fn away(&self, anchor: Vector<f64>) -> f64 {
+        let (center, radius) = self.origins();
+        (anchor - center).largest() + radius
+    }
+
+    /// The largest distance between `anchor` and the origin of a ray.
+    pub fn distance(&self, anchor: Vector<f64>) -> f64 {
+        let (center, radius) = self.origins();
+        let apart = anchor - center;
+        let apart = match apart.largest() {
+            // The square neither overflows nor vanishes.
+            1e-140..1e140 => apart.dot(apart).sqrt(),
+            largest => at_most(largest),
+        };
+        apart + at_most(radius)
     }
 
     /// One of the rays, scaled, and its q. Without a camera, q is the direction, too.

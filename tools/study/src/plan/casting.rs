@@ -22,6 +22,8 @@ use crate::vector::Vector;
 pub struct PlannedCaster {
     /// The accuracy that is requested for t and normals.
     pub accuracy: f64,
+    /// The camera of the scene.
+    pub camera: Camera,
     /// Whether boxes are cheaper than testing every part.
     pub has_boxes: bool,
     rays: Vec<Ray<f64>>,
@@ -49,13 +51,12 @@ impl PlannedCaster {
         }
         let normals = world.parts.iter().map(|part| part.shape.flat_normal());
         let normals = normals.collect();
-        let view = View {
-            camera: camera(scene, &rays),
-            accuracy,
-        };
+        let camera = camera(scene, &rays);
+        let view = View { camera, accuracy };
         let has_boxes = price_of_all(&world.parts) > PRICES.boxes;
         Ok(PlannedCaster {
             accuracy,
+            camera,
             has_boxes,
             min_t: scene.min_t,
             normals,
@@ -90,9 +91,9 @@ impl PlannedCaster {
     #[inline]
     fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let (caster, min_t) = (&self.caster, self.min_t);
-        let found = match caster.world.camera {
-            Some(Camera::Perspective { .. }) => caster.first::<Exact<true>>(ray, min_t, tally),
-            _ => caster.first::<Exact<false>>(ray, min_t, tally),
+        let found = match self.camera {
+            Camera::Perspective { .. } => caster.first::<Exact<true>>(ray, min_t, tally),
+            Camera::Orthographic { .. } => caster.first::<Exact<false>>(ray, min_t, tally),
         };
         let Found { part, t, .. } = found?;
         let (t, normal) = match found?.is_accurate && has_digits(t) {
