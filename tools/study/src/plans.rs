@@ -3,7 +3,6 @@
 //! `f64`?
 
 use std::hint::black_box;
-use std::path::Path;
 use std::time::Instant;
 
 use crate::cast::world::World;
@@ -12,21 +11,20 @@ use crate::extent::Extent;
 use crate::oracle::scene::{FilmErrors, TrueHit, errors};
 use crate::plan::casting::PlannedCaster;
 use crate::result::PlanTally;
-use crate::scenes::{self, Stage};
+use crate::scenes::Stage;
 use crate::speed::{Workload, race};
 
 /// Plans a scene for each accuracy, and judges a share of its pixels.
-pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
-    let scene = scenes::read(file).map_err(|error| error.to_string())?;
+pub fn studied(stage: &Stage, extent: &Extent) -> Vec<PlanTally> {
+    let scene = &stage.scene;
     let pixels = scene.resolution.pixels() as f64;
     let mut castings = Vec::new();
     let mut planning = Vec::new();
     for accuracy in extent.accuracies {
-        let plan = || PlannedCaster::new(&scene, *accuracy);
+        let plan = || PlannedCaster::new(scene, *accuracy).expect("its rays are finite");
         planning.push(least_time(plan) / pixels);
-        castings.push(plan()?.every(extent.step));
+        castings.push(plan().every(extent.step));
     }
-    let stage = Stage::new(&scene, extent.step);
     let (truths, rays) = (stage.exact.truths(), stage.exact.rays());
     let plain_tree = least_time(|| Caster::new(World::of(&scene.objects), None, true)) / pixels;
 
@@ -39,11 +37,10 @@ pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
     let [.., exact_ids, plain] = times.as_slice() else {
         unreachable!("the last two are always there");
     };
-    let name = file.file_stem().unwrap_or_default().to_string_lossy();
     let tally = |(at, casting): (usize, &PlannedCaster)| {
         let (kept, tally) = kept(casting, &truths);
         PlanTally {
-            scene: name.clone().into(),
+            scene: stage.name.clone(),
             accuracy: casting.accuracy,
             kept,
             exact_hits: tally.exact_hits,
@@ -54,7 +51,7 @@ pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<PlanTally>, String> {
             plain: plain.nanoseconds,
         }
     };
-    Ok(castings.iter().enumerate().map(tally).collect())
+    castings.iter().enumerate().map(tally).collect()
 }
 
 /// The shortest of five times, in nanoseconds.

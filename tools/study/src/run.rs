@@ -13,7 +13,7 @@ use crate::leaks::{self, Aim};
 use crate::plans;
 use crate::question::Data;
 use crate::result::{Findings, KernelTally, Point, Sweep};
-use crate::scenes;
+use crate::scenes::{self, Stage};
 use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
 
@@ -37,23 +37,22 @@ pub fn run(extent: &Extent, say: &dyn Fn(&str)) -> Findings {
         say("rays that begin on a surface");
         findings.secondary = secondary::studied(extent.secondary, extent.seed);
     }
-    for file in scenes::files() {
-        let name = scenes::name_of(&file);
-        if extent.has(Part::Plans) {
+    if extent.has(Part::Plans) {
+        for name in scenes::names() {
             say(&format!("plans for {name}"));
-            let tallies = plans::studied(&file, extent);
-            let tallies = tallies.expect("the scene is committed and can be planned");
+            let tallies = plans::studied(&Stage::new(&name, extent.step), extent);
             findings.plans.extend(tallies);
-        }
-        if extent.has(Part::Scenes) {
-            say(&format!("scene {name}"));
-            let tallies = scenes::studied(&file, extent).expect("the scene is committed");
-            findings.scenes.extend(tallies);
         }
     }
     if extent.has(Part::Scenes) {
+        for name in scenes::names() {
+            say(&format!("scene {name}"));
+            let tallies = scenes::studied(&Stage::new(&name, extent.step), extent);
+            findings.scenes.extend(tallies);
+        }
         say("scenes of small integers");
-        let grids = scenes::GRIDS.flat_map(|seed| scenes::of_grid(seed, extent));
+        // A grid has few rays, so cast all of them.
+        let grids = scenes::grids().flat_map(|name| scenes::studied(&Stage::new(&name, 1), extent));
         findings.grids = grids.collect();
     }
     findings

@@ -2,7 +2,7 @@
 //! exactly. Judges every pixel, and times all ways in turn.
 
 use std::hint::black_box;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use pinhole::{Film, Hit, Intersection, Scene, Shape};
 
@@ -16,15 +16,18 @@ use crate::plan::{EXACT_OBJECTS, search_name};
 use crate::random_scene::grid;
 use crate::result::SceneTally;
 use crate::shape::Ray;
-use crate::speed::{self, Time, Workload, race};
+use crate::speed::{self, Workload, race};
 
 /// A scene ready to be cast.
 pub struct Stage {
+    /// The scene's name.
+    pub name: String,
+    /// The scene.
+    pub scene: Scene,
     /// Plain `f64`, without and with boxes.
     plain: [Caster; 2],
     /// The exact caster, with the rays that all ways cast.
     pub exact: PlannedCaster,
-    min_t: f64,
 }
 
 /// The ways to cast a scene: the name in tables, and for plain `f64` whether it has boxes. Exact
@@ -34,22 +37,22 @@ const WAYS: [(&str, Option<bool>); 3] =
 
 impl Stage {
     /// Prepares a scene, of which every `step`-th ray is cast.
-    ///
-    /// # Panics
-    /// If a ray of the camera overflows.
-    pub fn new(scene: &Scene, step: usize) -> Stage {
-        let exact = PlannedCaster::new(scene, EXACT_OBJECTS).expect("its rays are finite");
+    pub fn new(name: &str, step: usize) -> Stage {
+        let scene = named(name);
+        let exact = PlannedCaster::new(&scene, EXACT_OBJECTS).expect("its rays are finite");
+        let plain = |has_boxes| Caster::new(World::of(&scene.objects), None, has_boxes);
         Stage {
-            plain: [false, true]
-                .map(|has_boxes| Caster::new(World::of(&scene.objects), None, has_boxes)),
+            name: name.into(),
+            plain: [false, true].map(plain),
             exact: exact.every(step),
-            min_t: scene.min_t,
+            scene,
         }
     }
 
     #[inline(always)]
     fn plain(&self, has_boxes: bool, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
-        let found = self.plain[usize::from(has_boxes)].first::<Plain>(ray, self.min_t, tally)?;
+        let found =
+            self.plain[usize::from(has_boxes)].first::<Plain>(ray, self.scene.min_t, tally)?;
         Some(Hit {
             object: found.part.object as usize,
             intersection: Intersection {
@@ -87,40 +90,50 @@ impl Stage {
 /// Prefix of a scene's name among the workloads that run under valgrind.
 const SCENE: &str = "scene:";
 
-/// Casts the named scene `films` times in one way. Returns false if there is no such scene.
-pub fn cast(named: &str, way: usize, films: u32) -> bool {
-    let Some(name) = named.strip_prefix(SCENE) else {
+/// Casts the named scene `films` times in one way. Returns false if this is not the name of a scene.
+pub fn cast(name: &str, way: usize, films: u32) -> bool {
+    let Some(name) = name.strip_prefix(SCENE) else {
         return false;
     };
-    let file = || files().into_iter().find(|file| name_of(file) == name);
-    let scene = match name.strip_prefix(GRID) {
-        Some(seed) => grid(seed.parse().expect("a grid has a number")),
-        None => read(&file().expect("it is a scene")).expect("the scene is committed"),
-    };
-    let stage = Stage::new(&scene, 1);
+    let stage = Stage::new(name, 1);
     (0..films).for_each(|_| stage.cast(WAYS[way].1));
     true
 }
 
-/// The name of a scene's file, without its extension.
-pub fn name_of(file: &Path) -> String {
-    file.file_stem().unwrap_or_default().display().to_string()
-}
-
-/// Scenes of small integers.
-pub const GRIDS: std::ops::RangeInclusive<u64> = 1..=12;
-
 /// Before the number in a grid's name.
 const GRID: &str = "grid ";
 
-/// The assignment's scenes, in order of their names.
-pub fn files() -> Vec<PathBuf> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assignments/ray_casting/scenes");
-    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
-    files.retain(|file| file.extension().is_some_and(|kind| kind == "toml"));
-    files.sort();
-    files
+/// The names of the scenes of small integers.
+pub fn grids() -> impl Iterator<Item = String> {
+    (1..=12).map(|seed| format!("{GRID}{seed}"))
+}
+
+/// The folder of the assignment's scenes.
+const FOLDER: &str = concat!(
+    env!("CARGO_MANIFEST_DIR"),
+    "/../../assignments/ray_casting/scenes"
+);
+
+/// The names of the assignment's scenes, in order.
+pub fn names() -> Vec<String> {
+    let entries = std::fs::read_dir(FOLDER).into_iter().flatten().flatten();
+    let files = entries.map(|entry| entry.file_name().display().to_string());
+    let mut names: Vec<String> = files
+        .filter_map(|file| Some(file.strip_suffix(".toml")?.into()))
+        .collect();
+    names.sort();
+    names
+}
+
+/// A scene of the assignment, or one of the [`grids`].
+///
+/// # Panics
+/// If there is no scene of this name.
+pub fn named(name: &str) -> Scene {
+    match name.strip_prefix(GRID) {
+        Some(seed) => grid(seed.parse().expect("a grid has a number")),
+        None => read(&Path::new(FOLDER).join(format!("{name}.toml"))).expect("it is committed"),
+    }
 }
 
 /// A scene, if there are kernels for all its shapes.
@@ -147,43 +160,20 @@ fn golden(name: &str) -> Option<Film> {
     Film::read(&folder.join(format!("{name}.exr"))).ok()
 }
 
-/// Judges every way to cast a scene of the assignment, and Mitsuba's film of it if there is one.
-pub fn studied(file: &Path, extent: &Extent) -> Result<Vec<SceneTally>, pinhole::Error> {
-    let (name, scene) = (name_of(file), read(file)?);
-    let stage = Stage::new(&scene, extent.step);
-    let mut tallies = judged_ways(&name, &stage, extent);
-    if let Some(film) = golden(&name) {
-        let casting = &stage.exact;
-        let pixels = (0..film.resolution().pixels()).step_by(extent.step);
-        let hits = pixels.map(|at| film.hit(at)).collect();
-        tallies.push(SceneTally {
-            scene: name,
-            model: "Mitsuba",
-            ..judged(casting.rays(), &casting.truths(), hits)
-        });
-    }
-    Ok(tallies)
-}
-
-/// Judges every way to cast a scene of small integers.
-pub fn of_grid(seed: u64, extent: &Extent) -> Vec<SceneTally> {
-    // A grid has few rays.
-    let stage = Stage::new(&grid(seed), 1);
-    judged_ways(&format!("{GRID}{seed}"), &stage, extent)
-}
-
-fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
-    let (rays, truths) = (stage.exact.rays(), stage.exact.truths());
+/// Judges every way to cast a scene, and Mitsuba's film of it if there is one.
+pub fn studied(stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
+    let (name, rays, truths) = (&stage.name, stage.exact.rays(), stage.exact.truths());
     let films = WAYS.map(|(_, plain)| Box::new(move || stage.cast(plain)) as Workload);
     let times = race(films.into(), rays.len(), extent.seconds);
     let cheaper = stage.exact.has_boxes;
-    let tally = |(at, ((model, plain), time)): (usize, ((&'static str, Option<bool>), Time))| {
+    let mut tallies = Vec::new();
+    for (at, ((model, plain), time)) in WAYS.into_iter().zip(times).enumerate() {
         let (hits, tally) = stage.hits(plain);
         let has_boxes = plain.unwrap_or(cheaper);
         let is_counted = extent.instructions && has_boxes == cheaper;
         let count = || speed::instructions(&format!("{SCENE}{name}"), at, rays.len());
-        SceneTally {
-            scene: name.into(),
+        tallies.push(SceneTally {
+            scene: name.clone(),
             model,
             search: Some(search_name(has_boxes)),
             nanoseconds: Some(time.nanoseconds),
@@ -194,9 +184,18 @@ fn judged_ways(name: &str, stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
             exact: tally.exact,
             close_calls: tally.close_calls,
             ..judged(rays, &truths, hits)
-        }
-    };
-    WAYS.into_iter().zip(times).enumerate().map(tally).collect()
+        });
+    }
+    if let Some(film) = golden(name) {
+        let pixels = (0..film.resolution().pixels()).step_by(extent.step);
+        let hits = pixels.map(|at| film.hit(at)).collect();
+        tallies.push(SceneTally {
+            scene: name.clone(),
+            model: "Mitsuba",
+            ..judged(rays, &truths, hits)
+        });
+    }
+    tallies
 }
 
 fn judged(rays: &[Ray<f64>], truths: &[TrueHit], hits: Vec<Option<Hit>>) -> SceneTally {

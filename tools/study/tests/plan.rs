@@ -6,7 +6,7 @@ use pinhole::{Camera, Film, Projection, Scene};
 use pinhole_study::plan::casting::{PlannedCaster, film};
 use pinhole_study::plan::{EXACT_FILM, plan};
 use pinhole_study::plans::kept;
-use pinhole_study::scenes::{files, read};
+use pinhole_study::scenes::{named, names, read};
 
 /// The file of a test scene.
 fn file(name: &str) -> PathBuf {
@@ -115,9 +115,7 @@ fn plan_says_that_the_caster_watches_hits() {
 /// From a distant eye, all boxes are the same in a frame of `f32` numbers around the eye.
 #[test]
 fn distant_eye_opens_as_few_boxes_as_a_near_one() {
-    let is_bunny = |file: &PathBuf| file.ends_with("ray_casting/scenes/bunny.toml");
-    let file = files().into_iter().find(is_bunny).expect("the bunny");
-    let mut scene = read(&file).expect("it is a scene");
+    let mut scene = named("bunny");
     (scene.camera.width, scene.camera.height) = (16.0, 9.0);
     let mut tests = |distance| {
         scene.camera.eye = glam::DVec3::new(0.0, 3.5, 0.0) + distance * scene.camera.w;
@@ -133,13 +131,13 @@ fn distant_eye_opens_as_few_boxes_as_a_near_one() {
 
 #[test]
 fn planning_a_scene_twice_gives_the_same_plan() {
-    for file in files() {
-        let scene = read(&file).expect("it is a scene");
+    for name in names() {
+        let scene = named(&name);
         let [one, other] = [0; 2].map(|_| {
             let casting = PlannedCaster::new(&scene, 1e-6).expect("a plan");
             serde_json::to_string(&plan(&casting)).expect("JSON")
         });
-        assert_eq!(one, other, "{}", file.display());
+        assert_eq!(one, other, "{name}");
     }
 }
 
