@@ -18,7 +18,7 @@ const RECORD: &str = "tools/study/record";
 /// The book shows kernels whose numbers and data are `f64`, as in the assignment.
 const NUMBERS: &str = "f64";
 
-/// What the book reads of `study.json`; its schema says what the fields mean.
+/// What the book reads of `study.json`. `tools/study/src/result.rs` says what the fields mean.
 #[derive(Deserialize)]
 struct Record {
     provenance: Provenance,

@@ -9,7 +9,6 @@ use crate::question::{Data, Question};
 /// The result. Two sorts of questions are left out: ties, which an exact equality decides, such as
 /// a tangent ray, and those whose true t exceeds the type's largest number.
 #[derive(Clone, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Tally {
     /// Questions that were judged.
     pub asked: u64,

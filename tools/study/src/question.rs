@@ -24,7 +24,6 @@ pub struct Question<S> {
 /// How unusual a question is. Results of different classes are never added together, because no
 /// real scene asks such a mixture of questions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Class {
     /// All lengths are within a factor of about a thousand, as in most scenes.

@@ -1,5 +1,4 @@
-//! The result of a study, as written to `study.json`. `tools/schema/study.schema.json`
-//! describes the same document for other programs.
+//! The result of a study, as written to `study.json`.
 
 use serde::Serialize;
 
@@ -13,7 +12,6 @@ pub const SCHEMA: &str = "pinhole-study/3";
 
 /// One run of the study.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Study {
     /// The version of this format.
     pub schema: String,
@@ -28,7 +26,6 @@ pub struct Study {
 
 /// The findings of a run, before they are compared with the promises.
 #[derive(Clone, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Findings {
     /// The sweeps.
     pub families: Vec<Sweep>,
@@ -54,7 +51,6 @@ pub struct Findings {
 
 /// Where, when and how a study was made.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
     /// The processor.
     pub machine: String,
@@ -74,7 +70,6 @@ pub struct Provenance {
 
 /// One family of questions about one shape, in one type of data.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Sweep {
     /// sphere, plane or triangle.
     pub shape: &'static str,
@@ -90,7 +85,6 @@ pub struct Sweep {
 
 /// One exponent of a sweep.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Point {
     /// The exponent x.
     pub exponent: i32,
@@ -102,7 +96,6 @@ pub struct Point {
 
 /// The result of one kernel.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct KernelTally {
     /// The kernel's name.
     pub kernel: &'static str,
@@ -119,7 +112,6 @@ pub struct KernelTally {
 
 /// One kernel on closed meshes.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct MeshTally {
     /// The kernel's name.
     pub kernel: &'static str,
@@ -138,7 +130,6 @@ pub struct MeshTally {
 /// One kernel on one class of questions about one shape: what it costs, and what it gets
 /// wrong. Costs are those of an even sample of the questions that are judged.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Trade {
     /// sphere, plane or triangle.
     pub shape: &'static str,
@@ -167,7 +158,6 @@ pub struct Trade {
 /// One tier of an exact kernel in `f64`: how often it decides, and what a question that it
 /// decides costs, including the tiers before it.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct TierTally {
     /// sphere, plane or triangle.
     pub shape: &'static str,
@@ -188,7 +178,6 @@ pub struct TierTally {
 /// One kernel's errors of t in everyday and hard questions whose condition numbers are in the
 /// same decade.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct ConditioningErrors {
     /// sphere, plane or triangle.
     pub shape: &'static str,
@@ -208,7 +197,6 @@ pub struct ConditioningErrors {
 
 /// Where one kernel breaks in one family.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct BreakingPoint {
     /// sphere, plane or triangle.
     pub shape: &'static str,
@@ -224,7 +212,6 @@ pub struct BreakingPoint {
 
 /// One way to cast one whole scene.
 #[derive(Clone, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct SceneTally {
     /// The scene's name.
     pub scene: String,
@@ -258,7 +245,6 @@ pub struct SceneTally {
 /// Rays that begin at the hit of another ray, with the origin moved off the surface by one
 /// method, all in `f32`.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Secondary {
     /// The shape that the rays leave: `sphere`.
     pub shape: &'static str,
@@ -278,7 +264,6 @@ pub struct Secondary {
 
 /// One plan, and its result at the pixels of its scene.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct PlanTally {
     /// The scene's name.
     pub scene: String,
@@ -303,7 +288,6 @@ pub struct PlanTally {
 
 /// A figure that was promised or measured before, and the one measured now.
 #[derive(Clone, Debug, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Target {
     /// What was measured.
     pub about: &'static str,
@@ -316,20 +300,4 @@ pub struct Target {
     /// Whether the figure is a cost: a time, which depends on the machine and its load, or a number
     /// of instructions. Missing such a target is reported, but does not fail the run.
     pub is_time: bool,
-}
-
-#[cfg(test)]
-#[test]
-fn the_committed_schema_is_that_of_the_type() {
-    use schemars::generate::SchemaSettings;
-    let generator = SchemaSettings::draft2020_12().into_generator();
-    let schema = generator.into_root_schema_for::<Study>();
-    let text = serde_json::to_string_pretty(&schema).expect("it can be written") + "\n";
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../schema/study.schema.json");
-    if std::env::var_os("UPDATE_SCHEMAS").is_some() {
-        std::fs::write(path, &text).expect("it can be written");
-    }
-    let committed = std::fs::read_to_string(path).unwrap_or_default();
-    let again = "UPDATE_SCHEMAS=1 cargo test -p pinhole-study schema";
-    assert_eq!(committed, text, "if this is meant, run: {again}");
 }

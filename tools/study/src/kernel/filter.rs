@@ -12,7 +12,6 @@ use crate::number::{ROOT_OF_UNIT, TINY};
 /// The stages of an exact kernel, cheapest first: the value names the one that decided. When whole
 /// scenes are cast, a static filter comes before these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub enum Tier {
     /// An error bound computed from this ray and this shape.
     #[serde(rename = "semi-static filter")]

@@ -19,7 +19,6 @@ pub type TrueHit<'a> = Option<(&'a Part, Root)>;
 
 /// The errors of a film, or of every so many pixels of one.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct FilmErrors {
     /// Rays that were judged.
     pub rays: u64,
