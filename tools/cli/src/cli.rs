@@ -233,7 +233,7 @@ pub struct Examples {
 
 /// Compare a film made by any program with a golden film
 ///
-/// A golden film is a reference film that Mitsuba has rendered. Your film passes if it has the
+/// A golden film is one that Mitsuba has rendered. Your film passes if it has the
 /// golden's size and channels, all its values are finite, and |film − golden| ≤ tolerance in every
 /// channel of every pixel. (Some films have a channel `tests`, which counts how often the ray was
 /// tested against boxes and triangles. This channel is judged as a whole: the sum of

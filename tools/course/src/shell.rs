@@ -7,6 +7,13 @@ pub const PINHOLE: &str = "cargo pinhole";
 
 /// Quotes one word of a command line if the shell would split or expand it. The result is still
 /// untrusted text.
+///
+/// ```
+/// use pinhole_course::shell::in_shell;
+///
+/// assert_eq!(in_shell("my answers"), "'my answers'");
+/// assert_eq!(in_shell("answers"), "answers");
+/// ```
 pub fn in_shell(word: &str) -> String {
     let plain = |c: char| c.is_alphanumeric() || "/._-+:\\".contains(c);
     match word.chars().all(plain) {

@@ -3,6 +3,12 @@
 use pinhole_course::shell::in_shell;
 
 /// One line of untrusted text, made safe for a terminal.
+///
+/// ```
+/// use pinhole_report::escape::printable;
+///
+/// assert_eq!(printable("red: \u{1b}[31m"), r"red: \u{1b}[31m");
+/// ```
 pub fn printable(text: &str) -> String {
     let safe = |c: char| match c {
         '\n' => "⏎ ".into(),
@@ -21,6 +27,12 @@ pub fn printable_word(word: &str) -> String {
 /// One cell of a table, made safe for a terminal and for a spreadsheet, which could take a name for
 /// a formula. If the spreadsheet splits cells at semicolons, there may be a formula after a
 /// semicolon, too, perhaps in quotes.
+///
+/// ```
+/// use pinhole_report::escape::printable_cell;
+///
+/// assert_eq!(printable_cell("=1+1"), "'=1+1");
+/// ```
 pub fn printable_cell(cell: &str) -> String {
     let cell = printable(cell);
     let is_blank = |c: char| c.is_whitespace() || c == '"';

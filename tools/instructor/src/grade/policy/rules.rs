@@ -237,3 +237,21 @@ fn the_committed_schema_of_policies_is_that_of_the_type() {
     let again = "UPDATE_SCHEMAS=1 cargo test -p pinhole-instructor schema";
     assert_eq!(committed, text, "if this is meant, run: {again}");
 }
+
+#[cfg(test)]
+#[test]
+fn the_example_in_the_book_is_a_policy_and_has_every_key() {
+    let page = include_str!("../../../../../book/src/instructor/policies_and_gradebooks.md");
+    let mut blocks = page.split("```");
+    let example = blocks.find_map(|block| block.strip_prefix("toml\n"));
+    let example = example.expect("the page has an example");
+    let rules: Rules = toml::from_str(example).expect("it is a policy");
+    rules.check().expect("it makes sense");
+    let generator = schemars::SchemaGenerator::default();
+    let schema = generator.into_root_schema_for::<Rules>();
+    let keys = schema.get("properties").and_then(|keys| keys.as_object());
+    let written: toml::Table = toml::from_str(example).expect("it is a table");
+    for key in keys.expect("a policy has keys").keys() {
+        assert!(written.contains_key(key), "the example lacks {key}");
+    }
+}
