@@ -107,7 +107,7 @@ fn too_many_objects_are_refused() {
 fn a_tree_is_asked_for_over_at_least_one_box_and_not_too_many() {
     for count in [0.0, 65.0] {
         let question = with(boxes_for_a_tree(), "count", count);
-        refused("tree", &question, "not from 1 to 64");
+        refused("tree", &question, "it must be from 1 to 64");
     }
     refused(
         "bounds",
