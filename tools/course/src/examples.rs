@@ -27,9 +27,12 @@ use crate::goldens::questions::QuestionFilm;
 pub use file::new_file;
 use file::{Entry, File};
 
-/// A number in an example may be off by the judge's tolerance plus this share of the number, or of
-/// the largest component of its vector. So three digits are enough.
-const SLACK: f64 = 1e-3;
+#[cfg(test)]
+mod tests;
+
+/// How many significant digits an answer needs. It may be off by the judge's tolerance plus half a
+/// unit of the last of them, counted from the first digit of the largest component of its vector.
+const ENOUGH_DIGITS: f64 = 3.0;
 
 /// How many digits of a question's numbers are shown.
 const DIGITS: usize = 6;
@@ -324,7 +327,7 @@ impl<'a> Asked<'a> {
             let size = numbers.iter().fold(0.0, |size: f64, it| size.max(it.abs()));
             let slack = match *part {
                 "object" => 0.0,
-                _ => SLACK * size,
+                _ => 0.5 * 10_f64.powf(size.log10().floor() + 1.0 - ENOUGH_DIGITS),
             };
             let is_right = |(channel, number): (&usize, &f64)| {
                 let tolerance = self.film.golden.tolerance();
@@ -339,12 +342,15 @@ impl<'a> Asked<'a> {
         wrong
     }
 
-    /// The mistakes whose answer to a question differs from a claim that is right.
-    fn caught<'b>(&'b self, place: usize, claim: &'b Claim) -> impl Iterator<Item = &'a str> + 'b {
+    /// The mistakes whose answer to a question differs from the right one in what a claim is about.
+    fn caught(&self, place: usize, claim: &Claim) -> impl Iterator<Item = &'a str> {
+        let mut right = self.right_answer(place);
+        let is_claimed = |part: &str| claim.parts.iter().any(|(own, _)| *own == part);
+        right.parts.retain(|(part, _)| is_claimed(part));
         self.prints.iter().filter_map(move |(slug, print)| {
             let witness = print.sample.iter().find(|it| it.pixel == place)?;
             let answer = |channel: usize| witness.values[channel];
-            let differs = !self.contradictions(place, claim, &answer).is_empty();
+            let differs = !self.contradictions(place, &right, &answer).is_empty();
             differs.then_some(*slug)
         })
     }
