@@ -12,14 +12,18 @@ mod table;
 mod triangle;
 
 use std::fmt;
+use std::ops::Range;
+use std::path::Path;
 
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
+use toml::de::DeTable;
 
 use crate::error::Error;
 use crate::film::Samples;
 use crate::part::{Condition, Quantity};
 use crate::ray::{Intersection, Ray};
+use crate::source::Source;
 
 pub use canned::Canned;
 pub use disk::Disk;
@@ -172,6 +176,27 @@ shapes! {
 }
 
 impl Shape {
+    /// Reads a shape from a table of a TOML file with the same keys as in a scene file. `span` is
+    /// the table's place in the file's text.
+    ///
+    /// # Errors
+    /// If a key is missing or unknown, or its value does not suit the shape.
+    pub fn read(
+        kind: ShapeKind,
+        (path, text): (&Path, &str),
+        span: Range<usize>,
+        values: &DeTable<'_>,
+    ) -> Result<Shape, Error> {
+        let source = Source { text, path };
+        let table = ObjectTable {
+            source,
+            kind,
+            span,
+            values,
+        };
+        table.shape()
+    }
+
     /// The shape in words: "sphere c = (0, 1, −1), r = 0.75".
     pub fn describe(&self, digits: usize) -> String {
         format!("{} {}", self.kind(), self.words(digits))

@@ -39,6 +39,13 @@ def render_fresh_questions(assignment, task, group, seed, count, folder):
     return render(assignment, task, group, seed, count, folder)
 
 
+def render_own_questions(path, shape, name, folder):
+    """The three films of the questions in a file of examples."""
+    from own_questions import render
+
+    return render(path, shape, name, folder)
+
+
 def render_ties(assignment, task, seed, folder):
     """The tie film of a task."""
     from tie_films import render
@@ -158,6 +165,13 @@ def main():
         command.add_argument(
             "--count", type=whole_rows, help="questions in each group, a multiple of 32"
         )
+    own = commands.add_parser("own-questions", help="answer the questions of a file of examples")
+    own.add_argument("file", type=Path, metavar="FILE.toml")
+    own.add_argument("--shape", required=True, help="what all of them are about")
+    own.add_argument("--name", required=True, help="what to call the films")
+    own.set_defaults(items=lambda a: [
+        (render_own_questions, (a.file, a.shape, a.name, a.out / "probes"))
+    ])
     ties = commands.add_parser("ties", help="draw questions of which many are exact ties")
     ties.set_defaults(items=tie_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
@@ -175,7 +189,7 @@ def main():
             "--seed", type=int, required=SEED not in os.environ, default=os.environ.get(SEED),
             metavar="N", help=f"by default, the environment variable {SEED}",
         )
-    for command in (scenes, questions, fresh, ties, random):
+    for command in (scenes, questions, fresh, own, ties, random):
         command.add_argument("--out", type=Path, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")
     arguments = parser.parse_args()

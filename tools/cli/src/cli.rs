@@ -216,6 +216,15 @@ pub struct Explain {
 /// and `normal`. You may leave out a part of any answer, such as the normal, but then the example
 /// can't catch mistakes in that part. If a question has no answer yet, the command prints it in
 /// words. You get no points for examples.
+///
+/// If the task is about one shape, you can also choose a ray and a shape yourself. Write them in
+/// place of `group` and `question`, with the keys that the shape has in scene files:
+///
+/// ray = { e = [0, 0, 4], d = [0, 0, -2], min_t = 0 }
+/// shape = { center = [0, 0, 0], radius = 1 }
+///
+/// Such examples can only be judged where Mitsuba is installed. Students don't need to install it:
+/// their instructor can run this command for them.
 #[derive(Args)]
 #[command(verbatim_doc_comment)]
 pub struct Examples {

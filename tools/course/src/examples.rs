@@ -5,9 +5,10 @@
 //! Krishnamurthi, Executable Examples for Programming Problem Comprehension, ICER 2019). What each
 //! mistake answers is read from its fingerprint. Its sample holds the first wrong questions in the
 //! scattered order, so the first [`MOST_SAMPLED`] questions in that order are known for every
-//! mistake. Examples can be about only these questions.
+//! mistake. Public questions can be chosen only among these.
 
 mod file;
+mod own;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -20,12 +21,14 @@ use pinhole::kind::Questions;
 use serde::Serialize;
 
 use crate::assignment::{Assignment, GroupPoints, Task};
+use crate::checkout::Checkout;
 use crate::diagnosis::fingerprint::{Fingerprint, MOST_SAMPLED, scattered};
 use crate::error::{Error, Result, ResultExt};
 use crate::goldens::Goldens;
 use crate::goldens::questions::QuestionFilm;
 pub use file::new_file;
 use file::{Entry, File};
+use own::OwnQuestions;
 
 #[cfg(test)]
 mod tests;
@@ -33,6 +36,10 @@ mod tests;
 /// How many significant digits an answer needs. It may be off by the judge's tolerance plus half a
 /// unit of the last of them, counted from the first digit of the largest component of its vector.
 const ENOUGH_DIGITS: f64 = 3.0;
+
+/// The group of the questions that a student has written. No group of an assignment has a space in
+/// its name.
+const OWN: &str = "own ray";
 
 /// How many digits of a question's numbers are shown.
 const DIGITS: usize = 6;
@@ -118,8 +125,13 @@ struct Asked<'a> {
 /// Judges the examples in a file.
 ///
 /// # Errors
-/// If the file can't be read, or names what does not exist.
-pub fn judge_file(path: &Path, assignment: &Assignment) -> Result<JudgedExamples> {
+/// If the file can't be read, or names what does not exist, or has rays of its own and there is no
+/// Mitsuba.
+pub fn judge_file(
+    path: &Path,
+    assignment: &Assignment,
+    checkout: &Checkout,
+) -> Result<JudgedExamples> {
     let wrong = Error::input(
         path.display().to_string(),
         "correct the file; `cargo pinhole examples` shows how it should look",
@@ -137,14 +149,26 @@ pub fn judge_file(path: &Path, assignment: &Assignment) -> Result<JudgedExamples
     let task = find_task(file.task.get_ref(), assignment);
     let task = task.map_err(|error| at(file.task.span().start, error))?;
     let goldens = Goldens::read(&assignment.golden(), assignment)?;
+    let mut own = 0;
+    let mut questions = Vec::new();
+    for entry in &file.example {
+        let question = entry.get_ref().question(&mut own);
+        questions.push(question.map_err(|error| at(entry.span().start, error))?);
+    }
+    let answer = || OwnQuestions::answer((path, &text), &file.example, task, assignment, checkout);
+    let own_questions = (own > 0).then(answer).transpose()?;
     let mut all = BTreeMap::new();
     for group in groups(task) {
-        all.insert(group.group.as_str(), Asked::read(&goldens, task, group)?);
+        let name = group.group.as_str();
+        all.insert(name, Asked::read(&goldens, task, name)?);
+    }
+    if let Some(own) = &own_questions {
+        all.insert(OWN, Asked::read(&own.goldens, task, OWN)?);
     }
     let mut examples = Vec::new();
     let mut caught = BTreeSet::new();
-    for entry in &file.example {
-        let judged = entry.get_ref().judge(&all);
+    for (entry, question) in file.example.iter().zip(questions) {
+        let judged = entry.get_ref().judge(question, &all);
         let (example, claim, asked) = judged.map_err(|error| at(entry.span().start, error))?;
         if example.verdict == Verdict::Right {
             caught.extend(asked.caught(asked.places[example.question], &claim));
@@ -186,19 +210,20 @@ impl Entry {
     /// The verdict on an example, and the questions of its group.
     fn judge<'a, 'b>(
         &self,
+        (group, question): (&str, usize),
         all: &'b BTreeMap<&str, Asked<'a>>,
     ) -> Result<(JudgedExample, Claim, &'b Asked<'a>)> {
-        let asked = all.get(self.group.as_str()).ok_or_else(|| {
+        let asked = all.get(group).ok_or_else(|| {
             let names: Vec<&str> = all.keys().copied().collect();
             Error::input(
-                format!("there is no group `{}` of public questions", self.group),
+                format!("there is no group `{group}` of public questions"),
                 format!("name one of: {}", names.join(", ")),
             )
         })?;
-        let place = asked.places.get(self.question).copied();
+        let place = asked.places.get(question).copied();
         let place = place.ok_or_else(|| {
             Error::input(
-                format!("`{}` has no question {}", self.group, self.question),
+                format!("`{group}` has no question {question}"),
                 format!("choose one from 0 to {}", asked.places.len().max(1) - 1),
             )
         })?;
@@ -214,8 +239,8 @@ impl Entry {
             (false, false) => Verdict::Wrong,
         };
         let example = JudgedExample {
-            group: self.group.clone(),
-            question: self.question,
+            group: group.into(),
+            question,
             verdict,
             wrong,
             asked: asked.describe(place),
@@ -225,8 +250,8 @@ impl Entry {
 }
 
 impl<'a> Asked<'a> {
-    fn read(goldens: &'a Goldens, task: &Task, group: &GroupPoints) -> Result<Asked<'a>> {
-        let film = goldens.probe(task, &group.group)?;
+    fn read(goldens: &'a Goldens, task: &Task, group: &str) -> Result<Asked<'a>> {
+        let film = goldens.probe(task, group)?;
         let name = goldens.film_name(&film.golden_path);
         let mut prints = goldens
             .known
@@ -237,7 +262,10 @@ impl<'a> Asked<'a> {
         });
         let pixels = 0..film.resolution.pixels();
         let mut places: Vec<usize> = pixels.filter(|at| !film.golden.is_exempt(*at)).collect();
-        places.sort_by_key(|place| scattered(*place));
+        // The student's own questions are at most as many, and keep the order of the file.
+        if group != OWN {
+            places.sort_by_key(|place| scattered(*place));
+        }
         places.truncate(MOST_SAMPLED);
         let channels = channel_names(&film.golden);
         let place = |name: &&str| channels.iter().position(|own| own == name);

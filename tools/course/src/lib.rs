@@ -18,6 +18,7 @@ pub mod goldens;
 pub mod handout_record;
 pub mod manifest;
 pub mod mistake;
+pub mod mistake_films;
 pub mod mitsuba;
 pub mod outcome;
 pub mod overlay;

@@ -37,7 +37,7 @@ pub fn run(checkout: &Checkout, arguments: &Examples) -> Result<Status> {
         anstream::println!("{}", help.unwrap_or_default());
         return Ok(Status::Well);
     };
-    let judged = examples::judge_file(file, &assignment)?;
+    let judged = examples::judge_file(file, &assignment, checkout)?;
     match arguments.json {
         true => anstream::println!("{:#}", json!(judged)),
         false => print(&judged),

@@ -94,6 +94,64 @@ fn examples_begin_with_a_file_of_questions() {
         .expect_out("examples --new sphere");
 }
 
+/// A ray towards the origin of space, from 4 away, and a sphere around it.
+const OWN_RAY: &str = "ray = { e = [0, 0, 4], d = [0, 0, -2], min_t = 0 }";
+const OWN_SHAPE: &str = "shape = { center = [0, 0, 0], radius = 1 }";
+
+#[test]
+fn rays_of_ones_own_are_judged_by_mitsuba_and_catch_mistakes() {
+    let own = format!("[[example]]\n{OWN_RAY}\n{OWN_SHAPE}\n");
+    let near = format!("{own}t = 1.5\nnormal = [0, 0, 1]\n");
+    let wrong = format!("{own}t = 1.5\n").replace("min_t = 0", "min_t = 2");
+    let far = wrong.replace("t = 1.5", "t = 2.5");
+    let beside = format!("{own}hit = false\n").replace("[0, 0, 4]", "[0, 2, 4]");
+    let entries = [near, wrong, far, INSIDE.into(), beside].concat();
+    let ran = examples("examples-own", &entries, &[]).expect_code(1);
+    let shown = "\
+✓ own ray 0
+✗ own ray 1    Mitsuba gives a different t
+      ray       e = (0, 0, 4), d = (0, 0, −2), min_t = 2
+      sphere    c = (0, 0, 0), r = 1
+✓ own ray 2
+✓ inside 0
+✓ own ray 3
+";
+    ran.expect_out(shown)
+        .expect_out("Your 4 correct examples catch 20 of 25 mistakes");
+}
+
+#[test]
+fn rays_of_ones_own_that_no_one_can_judge_are_refused() {
+    for (ray, shape, problem) in [
+        (OWN_RAY, "", ":2: this example has no question"),
+        (OWN_RAY, "shape = {}", ":4:9: this sphere has no `center`"),
+        (
+            "ray = { e = [0, 0, 4], d = [0, 0, 0], min_t = 0 }",
+            OWN_SHAPE,
+            ":3: no ray has these numbers",
+        ),
+        (
+            "ray = { e = [0, 0, inf], d = [0, 0, 1], min_t = 0 }",
+            OWN_SHAPE,
+            ":3: no ray has these numbers",
+        ),
+        (
+            "ray = { e = [0, 1, 4], d = [0, 0, -2], min_t = 0 }",
+            OWN_SHAPE,
+            "own ray 0 is too close to call",
+        ),
+        (
+            "ray = { e = [0, 0, 4e30], d = [0, 0, -2], min_t = 0 }",
+            OWN_SHAPE,
+            "Mitsuba's precision is too low for own ray 0",
+        ),
+    ] {
+        let entry = format!("[[example]]\n{ray}\n{shape}\nhit = true\n");
+        let ran = examples("examples-own-refused", &entry, &[]).expect_code(2);
+        ran.expect_err(problem).expect_err("remedy: ");
+    }
+}
+
 #[test]
 fn malformed_examples_are_refused_with_file_place_and_remedy() {
     let entry = |rest: &str| format!("[[example]]\ngroup = \"inside\"\nquestion = {rest}\n");

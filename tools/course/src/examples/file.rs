@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use glam::DVec3;
 use pinhole::Fact;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{Asked, Claim, find_task, groups};
+use super::{Asked, Claim, OWN, find_task, groups};
 use crate::assignment::Assignment;
 use crate::error::{Error, Result};
 use crate::goldens::Goldens;
@@ -24,8 +25,10 @@ pub(super) struct File {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Entry {
-    pub group: String,
-    pub question: usize,
+    group: Option<String>,
+    question: Option<usize>,
+    pub ray: Option<Spanned<OwnRay>>,
+    shape: Option<toml::Table>,
     hit: Option<bool>,
     object: Option<f64>,
     t: Option<f64>,
@@ -36,7 +39,31 @@ pub(super) struct Entry {
     max: Option<[f64; 3]>,
 }
 
+/// A ray e + t d that a student has chosen. Only values of t from `min_t` on count.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OwnRay {
+    pub e: DVec3,
+    pub d: DVec3,
+    pub min_t: f64,
+}
+
 impl Entry {
+    /// Its group and question. `own` is the next question of the group [`OWN`].
+    pub(super) fn question(&self, own: &mut usize) -> Result<(&str, usize)> {
+        match (&self.group, self.question, &self.ray, &self.shape) {
+            (Some(group), Some(question), None, None) => Ok((group, question)),
+            (None, None, Some(_), Some(_)) => {
+                *own += 1;
+                Ok((OWN, *own - 1))
+            }
+            _ => Err(Error::input(
+                "this example has no question, or more than one",
+                "give `group` and `question`, or `ray` and `shape`",
+            )),
+        }
+    }
+
     /// What it says about the answer to a question.
     pub(super) fn claim(&self, asked: &Asked) -> Result<Claim> {
         let number = |number: f64| vec![number];
@@ -92,7 +119,7 @@ pub fn new_file(task: &str, assignment: &Assignment, path: &Path) -> Result<Stri
         task.name
     );
     for group in groups(task) {
-        let asked = Asked::read(&goldens, task, group)?;
+        let asked = Asked::read(&goldens, task, &group.group)?;
         let Some(place) = asked.places.first() else {
             continue;
         };

@@ -10,7 +10,7 @@ fn every_public_answer_is_right_when_rounded_to_three_digits() {
         let goldens = Goldens::read(&assignment.golden(), assignment).unwrap();
         for task in &assignment.tasks {
             for group in groups(task) {
-                let Ok(asked) = Asked::read(&goldens, task, group) else {
+                let Ok(asked) = Asked::read(&goldens, task, &group.group) else {
                     continue; // It has many right answers.
                 };
                 for place in &asked.places {
@@ -35,8 +35,7 @@ fn answer_off_by_more_than_its_third_digit_is_wrong() {
     let assignment = Assignment::read(&Checkout::find().unwrap(), "ray_casting").unwrap();
     let goldens = Goldens::read(&assignment.golden(), &assignment).unwrap();
     let task = assignment.task("sphere").unwrap();
-    let group = task.points.iter().find(|it| it.group == "inside").unwrap();
-    let asked = Asked::read(&goldens, task, group).unwrap();
+    let asked = Asked::read(&goldens, task, "inside").unwrap();
     let right = |channel: usize| asked.golden(channel, asked.places[0]);
     for (t, wrong) in [(7.62, false), (7.60, true), (7.64, true)] {
         let claim = Claim {
@@ -45,5 +44,27 @@ fn answer_off_by_more_than_its_third_digit_is_wrong() {
         };
         let contradictions = asked.contradictions(asked.places[0], &claim, &right);
         assert_eq!(!contradictions.is_empty(), wrong, "{t}");
+    }
+}
+
+#[test]
+fn rays_of_ones_own_need_mitsuba_and_a_task_about_one_shape() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("mine.toml");
+    let assignment = Assignment::read(&Checkout::find().unwrap(), "ray_casting").unwrap();
+    for (task, problem) in [
+        ("plane", "only Mitsuba can judge rays of your own"),
+        (
+            "first_hit",
+            ":3: rays of your own can only be used in a task",
+        ),
+    ] {
+        let ray = "ray = { e = [0, 0, 4], d = [0, 0, -2], min_t = 0 }";
+        let shape = "shape = { point = [0, 0, 0], normal = [0, 0, 1] }";
+        let text = format!("task = \"{task}\"\n[[example]]\n{ray}\n{shape}\n");
+        fs::write(&file, text).unwrap();
+        let nowhere = Checkout::at(folder.path());
+        let error = judge_file(&file, &assignment, &nowhere).unwrap_err();
+        assert!(error.problem.contains(problem), "{error}");
     }
 }

@@ -2,27 +2,20 @@
 
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::time::Duration;
 
 use pinhole::Film;
-use pinhole::ask::Reply;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::{Program, compile};
+use pinhole_course::compile::Program;
 use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::error::Result;
-use pinhole_course::examine;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::goldens::questions::QuestionFilm;
 use pinhole_course::mistake::{self, MistakeFolder};
-use pinhole_course::overlay;
+use pinhole_course::mistake_films::{build, cast};
 use pinhole_course::progress::Progress;
-use pinhole_course::sandbox::{Limits, Sandbox};
-
-/// How long a program may take for a film.
-const TIME_LIMIT: Duration = Duration::from_secs(60);
 
 /// Films to fingerprint, each with its task, if it tests only one.
 type FilmsToCast = Vec<(Option<String>, QuestionFilm)>;
@@ -42,14 +35,10 @@ pub fn make(
     if mistakes.is_empty() {
         return Ok(Vec::new());
     }
-    let build = |folder: &MistakeFolder| {
-        let submission = overlay::reference(assignment)?.overlaid(&folder.folder)?;
-        compile(&submission, assignment, checkout, &Sandbox::Trusted)
-    };
     let counter = Counter::new("building the mistakes", mistakes.len(), progress);
     let programs = mistakes
         .par_iter()
-        .map(|folder| counter.after(build(folder)));
+        .map(|folder| counter.after(build(&folder.folder, assignment, checkout)));
     let programs: Vec<Program> = programs.collect::<Result<_>>()?;
 
     let mut known = KnownMistakes::read(&goldens.folder)?;
@@ -102,19 +91,6 @@ fn films_to_cast(assignment: &Assignment, goldens: &Goldens, probes: bool) -> Re
         }
     }
     Ok(films_to_cast)
-}
-
-/// A program's reply to a film's questions.
-pub fn ask(program: &Program, film: &QuestionFilm) -> Result<Reply> {
-    let limits = Limits::of_answers(TIME_LIMIT);
-    examine::run(program, &Sandbox::Trusted, &limits, &film.job, &mut |_| {})
-}
-
-/// The film of a mistake; `None` if it panics.
-fn cast(program: &Program, film: &QuestionFilm) -> Result<Option<Film>> {
-    let reply = ask(program, film)?;
-    let complete = reply.answers.iter().all(Option::is_some);
-    Ok(complete.then(|| reply.film(film.resolution)))
 }
 
 /// Counts finished items for the progress line.

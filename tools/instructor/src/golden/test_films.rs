@@ -8,10 +8,9 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::error::Result;
 use pinhole_course::goldens::{Goldens, tests_beside};
+use pinhole_course::mistake_films;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::Sandbox;
-
-use super::mistake_films;
 
 /// Writes a film of tests beside each scene's golden, if the reference counts any. Returns the
 /// files that were written, as paths inside the folder.

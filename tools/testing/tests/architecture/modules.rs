@@ -72,6 +72,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "outcome",
             "examine",
             "explanation",
+            "mistake_films",
             "examples",
         ],
     ),

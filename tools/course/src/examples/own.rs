@@ -1,0 +1,168 @@
+//! Questions that students write themselves, each about a ray and the task's shape. Mitsuba
+//! answers them, and the known mistakes are asked them too, so this needs what only a checkout
+//! has.
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::Path;
+
+use pinhole::Shape;
+use pinhole::judge::judge;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+use super::OWN;
+use super::file::Entry;
+use crate::assignment::{Assignment, Task};
+use crate::checkout::Checkout;
+use crate::diagnosis::fingerprint::MOST_SAMPLED;
+use crate::error::{Error, Result, ResultExt};
+use crate::goldens::Goldens;
+use crate::mistake::{self, MistakeFolder};
+use crate::mistake_films::{build, cast};
+use crate::mitsuba;
+use crate::progress::Progress;
+
+/// The questions that a student has written, in a folder of goldens that exists as long as this.
+pub(super) struct OwnQuestions {
+    pub goldens: Goldens,
+}
+
+impl Drop for OwnQuestions {
+    fn drop(&mut self) {
+        let _absent_if_mitsuba_made_nothing = fs::remove_dir_all(&self.goldens.folder);
+    }
+}
+
+impl OwnQuestions {
+    /// Answers the own questions in a file of examples, whose text is `text`, with Mitsuba and
+    /// with the known mistakes.
+    pub fn answer(
+        (path, text): (&Path, &str),
+        entries: &[Spanned<Entry>],
+        task: &Task,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<OwnQuestions> {
+        check((path, text), entries, task)?;
+        if !mitsuba::is_there(checkout) {
+            let remedy = match mitsuba::scripts(checkout).is_dir() {
+                true => "install it: cargo pinhole golden setup",
+                false => "choose public questions, or ask your instructor to judge this file",
+            };
+            let problem = "only Mitsuba can judge rays of your own, and it is not installed here";
+            return Err(Error::environment(problem, remedy));
+        }
+        let name = format!("examples-{}", std::process::id());
+        let folder = checkout.scratch().join(name);
+        let mut own = OwnQuestions {
+            goldens: Goldens::of_scenes(&folder, &[])?,
+        };
+        own.make(path, task, assignment, checkout)?;
+        Ok(own)
+    }
+
+    /// Makes the films, and the fingerprints of the mistakes.
+    fn make(
+        &mut self,
+        path: &Path,
+        task: &Task,
+        assignment: &Assignment,
+        checkout: &Checkout,
+    ) -> Result<()> {
+        let goldens = &mut self.goldens;
+        let progress = Progress::new();
+        progress.say("Mitsuba");
+        let shape = task.shape.map_or("", |shape| shape.name());
+        let name = format!("{}.{OWN}", task.name);
+        let line: [&OsStr; 8] = [
+            "own-questions".as_ref(),
+            path.as_ref(),
+            "--shape".as_ref(),
+            shape.as_ref(),
+            "--name".as_ref(),
+            name.as_ref(),
+            "--out".as_ref(),
+            goldens.folder.as_ref(),
+        ];
+        if let Some(refusal) = mitsuba::render(checkout, &line, None, &progress)?.refusal {
+            let remedy = "move its ray or its shape a little, or change `min_t`";
+            return Err(Error::input(refusal.problem, remedy));
+        }
+        let film = goldens.probe(task, OWN)?;
+        progress.say("the mistakes");
+        // Mitsuba computes in single precision, which is too little for a tiny shape far away.
+        let reference = build(&assignment.reference(), assignment, checkout)?;
+        let verdict = cast(&reference, &film)?.map(|own| judge(&film.golden, &own));
+        if let Some(Ok(verdict)) = verdict
+            && let Some(place) = verdict.failing.first()
+        {
+            let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
+            return Err(Error::input(problem, "use numbers of ordinary size"));
+        }
+        let mut mistakes = mistake::read_all(assignment)?;
+        mistakes.retain(|it| it.mistake.is_single() && it.mistake.fails.contains(&task.name));
+        let answered = |folder: &MistakeFolder| {
+            let program = build(&folder.folder, assignment, checkout)?;
+            Ok((folder.slug.clone(), cast(&program, &film)?))
+        };
+        let casts = mistakes.par_iter().map(answered).collect::<Result<_>>()?;
+        let name = goldens.film_name(&film.golden_path);
+        let folder = &goldens.folder;
+        goldens.known.add(&name, &film.golden, casts, folder)?;
+        let words = mistakes.into_iter().map(|it| (it.slug, it.mistake));
+        goldens.known.mistake = words.collect();
+        progress.clear();
+        Ok(())
+    }
+}
+
+/// Checks the rays and shapes that a file of examples describes.
+fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -> Result<()> {
+    let at = |span: usize, problem: &str, remedy: &str| {
+        let line = text[..span].matches('\n').count() + 1;
+        let problem = format!("{}:{line}: {problem}", path.display());
+        Err(Error::input(problem, remedy))
+    };
+    let root = DeTable::parse(text).or_fail(&Error::file(path))?;
+    let tables = root.get_ref().get("example").map(Spanned::get_ref);
+    let tables = tables.and_then(DeValue::as_array).into_iter().flatten();
+    let mut count = 0;
+    for (entry, table) in entries.iter().zip(tables) {
+        let Some(ray) = &entry.get_ref().ray else {
+            continue;
+        };
+        count += 1;
+        if count > MOST_SAMPLED {
+            let problem = format!("more than {MOST_SAMPLED} examples have rays of their own");
+            return at(entry.span().start, &problem, "put them into another file");
+        }
+        let span = ray.span().start;
+        let ray = ray.get_ref();
+        // Question films are in single precision.
+        let length = ray.d.length() as f32;
+        let has_direction = (length * length).is_normal();
+        if !(ray.e.is_finite() && has_direction && ray.min_t.is_finite() && ray.min_t >= 0.0) {
+            let problem = "no ray has these numbers";
+            let remedy =
+                "give finite numbers, a `d` of ordinary length, and a `min_t` of 0 or more";
+            return at(span, problem, remedy);
+        }
+        let Some(kind) = task.shape else {
+            let problem = "rays of your own can only be used in a task about one shape";
+            return at(
+                span,
+                problem,
+                "choose a public question: give `group` and `question`",
+            );
+        };
+        let shape = table.get_ref().get("shape");
+        if let Some((span, values)) =
+            shape.and_then(|it| Some((it.span(), it.get_ref().as_table()?)))
+        {
+            Shape::read(kind, (path, text), span, values)?;
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,36 @@
+"""Films of the questions that a student has written, each about a ray and one shape.
+
+They are read from a file of examples (`pinhole examples`) and answered like all questions.
+"""
+
+import tomllib
+from itertools import cycle
+
+import numpy as np
+
+import shapes
+from kinds.intersect import ask
+from question_films import COLUMNS, films
+from scene import SceneError
+
+
+def render(path, shape, name, folder):
+    """Make the three films of the file's own questions in `folder`; return the report.
+
+    The questions fill the first pixels, in the order of the file. To fill the last row, they
+    are repeated.
+    """
+    with path.open("rb") as file:
+        examples = tomllib.load(file)["example"]
+    questions = []
+    for example in examples:
+        if "ray" in example:
+            ray, thing = example["ray"], shapes.read({**example["shape"], "type": shape}, None)
+            question = ask(thing, ray["e"], ray["d"], ray["min_t"])
+            answer = question.answer()
+            if answer is None or not np.isfinite(answer).all():
+                raise SceneError(f"{path}: own ray {len(questions)} is too close to call")
+            questions.append(question)
+    folder.mkdir(parents=True, exist_ok=True)
+    rows = -(-len(questions) // COLUMNS)
+    return films(name, cycle(questions), next, rows * COLUMNS, folder)
