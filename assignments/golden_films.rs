@@ -8,6 +8,7 @@
 use std::env;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use insta::{Settings, assert_snapshot};
@@ -18,14 +19,15 @@ use pinhole_course::compile::Program;
 use pinhole_course::error::Result;
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
-use pinhole_course::outcome::Examination;
+use pinhole_course::outcome::{Examination, Status};
+use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::second_judge::SecondJudge;
 use pinhole_course::submission::Submission;
 use pinhole_report::terminal;
 
-/// Longer than any answer should take, even in a build without optimisation.
-const WALL: Duration = Duration::from_secs(120);
+/// The tasks that have timed out so far. A scene that needs one of them would time out too.
+static LATE: Mutex<Vec<String>> = Mutex::new(Vec::new());
 
 fn main() -> ExitCode {
     let (_, assignment) = find().unwrap_or_else(|error| panic!("{error}"));
@@ -59,8 +61,20 @@ fn find() -> Result<(Checkout, Assignment)> {
 /// `cargo pinhole check`, before insta could advise the reader to accept a wrong verdict.
 fn passes(kind: &str, name: &str, selection: &Selection) -> std::result::Result<(), Failed> {
     let (checkout, assignment) = find()?;
+    if let Some(task) = late_task(&assignment, selection)? {
+        return Err(format!("{name} is not cast, because `{task}` timed out\n").into());
+    }
     let examination = examine(&checkout, &assignment, selection)?;
     let outcome = &examination.outcome;
+    let tasks = outcome.tasks.iter();
+    let late = tasks.filter(|task| {
+        let mut groups = task.groups.iter();
+        groups.any(|group| group.outcome.status() == Status::TimedOut)
+    });
+    let late = late.map(|task| task.name.clone());
+    LATE.lock()
+        .unwrap_or_else(PoisonError::into_inner)
+        .extend(late);
     if !outcome.passes {
         let told = match outcome.tasks.first() {
             Some(task) if task.is_unanswered() => "unanswered\n".into(),
@@ -83,6 +97,19 @@ fn passes(kind: &str, name: &str, selection: &Selection) -> std::result::Result<
     settings.set_omit_expression(true);
     settings.bind(|| assert_snapshot!(name, words.join("\n")));
     Ok(())
+}
+
+/// A task that a selected scene needs, and that has timed out.
+fn late_task(assignment: &Assignment, selection: &Selection) -> Result<Option<String>> {
+    let late = LATE.lock().unwrap_or_else(PoisonError::into_inner).clone();
+    for scene in &selection.scenes {
+        let (scene, _) = assignment.find_scene(scene)?;
+        let mut tasks = late.iter().filter_map(|name| assignment.task(name));
+        if let Some(task) = tasks.find(|task| task.kind.is_needed_by(task.shape, &scene)) {
+            return Ok(Some(task.name.clone()));
+        }
+    }
+    Ok(None)
 }
 
 /// Judges the program that cargo built from the answers beside this test's manifest.
@@ -111,7 +138,7 @@ fn examine(
         goldens: &goldens,
         program: &program,
         sandbox: &Sandbox::Trusted,
-        wall: WALL,
+        wall: Duration::from_secs(RunOptions::TIMEOUT),
         interactive: true,
         second_judge: second_judge.as_ref(),
         clock: None,

@@ -124,6 +124,18 @@ fn with_rust_alone_every_command_works_and_tests_pass_once_the_stubs_are_filled(
         .expect_code(1)
         .expect_out("does not compile")
         .expect_out("✓ plane");
+
+    // A test that waits stops as soon as `check` would, and the scenes that need it don't wait.
+    let endless = sphere.replacen(
+        "-> Option<Intersection> {",
+        "-> Option<Intersection> { loop {}",
+        1,
+    );
+    fs::write(answers.join("sphere.rs"), endless).expect("it can be written");
+    run("cargo test --locked -- --test-threads 1")
+        .expect_code(101)
+        .expect_out("gave no answer within 2 s")
+        .expect_out("sphere_packing is not cast, because `sphere` timed out");
     fs::write(answers.join("sphere.rs"), sphere).expect("it can be written");
 
     run("cargo test --locked").expect_code(0);
