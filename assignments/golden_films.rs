@@ -24,6 +24,7 @@ use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::Sandbox;
 use pinhole_course::second_judge::SecondJudge;
 use pinhole_course::submission::Submission;
+use pinhole_report::escape::printable_word;
 use pinhole_report::terminal;
 
 /// The tasks that have timed out so far. A scene that needs one of them would time out too.
@@ -82,7 +83,11 @@ fn passes(kind: &str, name: &str, selection: &Selection) -> std::result::Result<
             None => terminal::scenes(&examination),
         };
         let told = terminal::plain(&told);
-        let more = format!("to see more: cargo pinhole check --{kind} {name}");
+        let folder = match Submission::is_default(Path::new(&outcome.submission)) {
+            true => String::new(),
+            false => format!(" {}", printable_word(&outcome.submission)),
+        };
+        let more = format!("to see more: cargo pinhole check{folder} --{kind} {name}");
         return Err(format!("{name} is not right yet\n{told}{more}\n").into());
     }
     let groups = outcome.tasks.iter().flat_map(|task| &task.groups);

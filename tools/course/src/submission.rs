@@ -12,6 +12,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::assignment::{Assignment, Task};
+use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::shell::from_here;
 use text::Text;
@@ -111,20 +112,37 @@ impl Submission {
     }
 
     /// The submission in the folder that the user named, or else in the current one, or else in
-    /// `fallback`.
+    /// the handout's.
     ///
     /// # Errors
     /// See [`Submission::find`].
-    pub fn named_or(
-        named: Option<&Path>,
-        assignment: &Assignment,
-        fallback: &Path,
-    ) -> Result<Submission> {
+    pub fn named_or(named: Option<&Path>, assignment: &Assignment) -> Result<Submission> {
         match named {
             Some(folder) => Submission::find(folder, assignment),
-            None => Submission::find(Path::new("."), assignment)
-                .or_else(|_| Submission::find(&from_here(fallback), assignment)),
+            None => Submission::unnamed(Path::new("."), assignment),
         }
+    }
+
+    /// The submission that a command takes in a folder.
+    fn unnamed(here: &Path, assignment: &Assignment) -> Result<Submission> {
+        Submission::find(here, assignment)
+            .or_else(|_| Submission::find(&from_here(&assignment.handout()), assignment))
+    }
+
+    /// Whether a command takes the answers in `folder` if it names no folder and no assignment,
+    /// both in the current folder and at the top of the repository.
+    pub fn is_default(folder: &Path) -> bool {
+        let is_taken = |checkout: &Checkout, here: &Path| -> Result<bool> {
+            let assignment = Assignment::find(checkout, None, here)?;
+            let taken = Submission::unnamed(here, &assignment)?.place.canonicalize();
+            let asked = Submission::find(folder, &assignment)?.place.canonicalize();
+            Ok(matches!((taken, asked), (Ok(taken), Ok(asked)) if taken == asked))
+        };
+        Checkout::find().is_ok_and(|checkout| {
+            let places = [Path::new("."), checkout.root()];
+            let mut taken = places.map(|here| is_taken(&checkout, here)).into_iter();
+            taken.all(|taken| taken.unwrap_or(false))
+        })
     }
 
     /// Where to edit the answer to a task, as `file:line` from the current folder: at its first
@@ -202,4 +220,21 @@ fn places(folder: &Path) -> Result<Vec<PathBuf>> {
         places.extend(Some(only.join("src")).filter(is_own));
     }
     Ok(places)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_answers_that_a_command_takes_by_itself_need_no_name() {
+        let assignments = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../assignments");
+        let is_default = |folder: &str| Submission::is_default(&assignments.join(folder));
+        assert!(is_default("ray_casting/handout"));
+        assert!(is_default("ray_casting/handout/src"));
+        assert!(!is_default("ray_casting/reference"));
+        // Commands at the top take another assignment.
+        assert!(!is_default("bounding_volumes/handout"));
+        assert!(!is_default("no-such-folder"));
+    }
 }

@@ -39,7 +39,6 @@ pub use page::{PAGE_CSS, environment, policy};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::goldens::tests_beside;
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
-use pinhole_course::shell::PINHOLE;
 pub use rays::{RayGrid, SubmittedRays};
 pub use scene::{Evidence, SceneSection};
 pub use task::TaskSection;
@@ -260,10 +259,7 @@ impl JudgedScene<'_> {
                 self.again.part,
                 printable_word(&result.name)
             ),
-            explain: Some([
-                format!("{PINHOLE} explain {}", printable_word(&cast.argument)),
-                format!(" --submission {}", printable_word(self.submission)),
-            ]),
+            explain: Some(terminal::explain(&cast.argument, self.submission)),
         };
         Ok(SceneSection::of(k, evidence, share))
     }

@@ -38,8 +38,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         None => Goldens::read(&assignment.golden(), &assignment)?,
     };
     let selection = selection(arguments, &assignment, &goldens)?;
-    let submission =
-        Submission::named_or(arguments.dir.as_deref(), &assignment, &assignment.handout())?;
+    let submission = Submission::named_or(arguments.dir.as_deref(), &assignment)?;
     let sandbox = Sandbox::around(
         &submission.folder,
         checkout,

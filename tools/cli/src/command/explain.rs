@@ -45,7 +45,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
             ),
         ));
     }
-    let submission = Submission::named_or(named, &assignment, &assignment.handout())?;
+    let submission = Submission::named_or(named, &assignment)?;
     let choice = arguments.run.sandbox.choice();
     let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
     let progress = Progress::new();

@@ -25,7 +25,7 @@ pub fn run(checkout: &Checkout, arguments: &Reset) -> Result<Status> {
             format!("name one of: {}", names.collect::<Vec<_>>().join(", ")),
         ));
     };
-    let submission = Submission::named_or(named, &assignment, &assignment.handout())?;
+    let submission = Submission::named_or(named, &assignment)?;
     let file = submission.place.join(task.file());
     let pristine = stubs::pristine(&assignment, checkout)?;
     let stub = pristine.get(&Path::new("src").join(task.file()));

@@ -34,7 +34,7 @@ impl CompiledSubmission {
         named: Option<&Path>,
         options: &RunOptions,
     ) -> Result<CompiledSubmission> {
-        let submission = Submission::named_or(named, assignment, &assignment.handout())?;
+        let submission = Submission::named_or(named, assignment)?;
         let choice = options.sandbox.choice();
         let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
         let progress = Progress::new();

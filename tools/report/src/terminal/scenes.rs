@@ -1,6 +1,7 @@
 //! The rows of scenes: what is wrong with a film, and which pixel to look at.
 
 use std::collections::BTreeSet;
+use std::path::Path;
 
 use pinhole::judge::ChannelVerdict;
 
@@ -9,6 +10,8 @@ use super::{QUIET, heading, indent, line, row};
 use crate::escape::printable_word;
 use pinhole_course::diagnosis::{Diagnosis, Explanation};
 use pinhole_course::outcome::{Examination, FilmOutcome, SceneFilm, SceneOutcome};
+use pinhole_course::shell::PINHOLE;
+use pinhole_course::submission::Submission;
 
 /// All scenes under their heading. `width` is that of the column of names.
 pub fn rows(text: &mut String, examination: &Examination, width: usize) {
@@ -51,8 +54,8 @@ fn scene_rows(
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         scene_diagnosis(text, &scene.diagnosis, told);
         let (i, j) = (mismatch.i, mismatch.j);
-        let (name, folder) = (printable_word(&film.argument), printable_word(submission));
-        let command = format!("cargo pinhole explain {name} {i} {j} --submission {folder}");
+        let [before, after] = explain(&film.argument, submission);
+        let command = format!("{before} {i} {j}{after}");
         line(
             text,
             format!(
@@ -61,6 +64,19 @@ fn scene_rows(
             ),
         );
     }
+}
+
+/// The command that explains a pixel of a scene, in two parts: what comes before the pixel's
+/// column, and what comes after its row.
+pub fn explain(scene: &str, submission: &str) -> [String; 2] {
+    let option = match Submission::is_default(Path::new(submission)) {
+        true => String::new(),
+        false => format!(" --submission {}", printable_word(submission)),
+    };
+    [
+        format!("{PINHOLE} explain {}", printable_word(scene)),
+        option,
+    ]
 }
 
 /// If a row above has already spelled out a belief, this gives only its share.
