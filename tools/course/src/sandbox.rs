@@ -125,6 +125,14 @@ pub enum Sandbox {
     Container(container::Container),
 }
 
+/// Whether the kernel offers Landlock.
+pub fn has_landlock() -> bool {
+    #[cfg(target_os = "linux")]
+    return confine::has_landlock();
+    #[cfg(not(target_os = "linux"))]
+    false
+}
+
 impl Sandbox {
     /// The sandbox that the user has chosen for the code in `folder`. The code must not
     /// read the folders of `secrets`, nor the goldens and answers of the checkout.
@@ -179,10 +187,10 @@ impl Sandbox {
 
     #[cfg(target_os = "linux")]
     fn bubblewrap(checkout: &Checkout, what: &str, secrets: &[PathBuf]) -> Result<Sandbox> {
-        let walls = bubblewrap::Bubblewrap::new(checkout).or_environment(
+        let walls = bubblewrap::Bubblewrap::new(checkout, toolchain::sysroot(checkout)?);
+        let walls = walls.or_environment(
             format_args!("{what} must run in a sandbox, and bubblewrap does not work here"),
-            "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
-             pass --sandbox container; or pass --trust if the code is your own",
+            bubblewrap::remedy(),
         )?;
         secrets::refuse_visible_secrets(&walls.visible(), checkout, secrets)?;
         Ok(Sandbox::Bubblewrap(walls))

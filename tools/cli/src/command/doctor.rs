@@ -1,15 +1,15 @@
 //! `pinhole doctor`: checks this machine for what Pinhole uses.
 
+use std::env;
 use std::path::Path;
 use std::process::Command;
-use std::{env, fs};
 
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::Result;
 use pinhole_course::handout_record::HandoutRecord;
 use pinhole_course::mitsuba;
 use pinhole_course::rust_tool::rust_tool;
-use pinhole_course::sandbox::{Choice, Sandbox};
+use pinhole_course::sandbox::{Choice, Sandbox, has_landlock};
 use pinhole_report::escape::printable;
 use pinhole_report::program::Status;
 use serde::Serialize;
@@ -207,17 +207,7 @@ fn sandbox(checkout: &Checkout) -> Finding {
     let made = Sandbox::for_untrusted("a submission", checkout, Choice::Bubblewrap, &[]);
     let (found, remedy) = match made {
         Ok(_) => (Ok("bubblewrap works".into()), String::new()),
-        Err(error) => {
-            let remedy = match are_user_namespaces_restricted() {
-                true => {
-                    "AppArmor keeps bubblewrap from creating user namespaces: run `sudo sysctl \
-                     kernel.apparmor_restrict_unprivileged_userns=0`, or give /usr/bin/bwrap a \
-                     profile that allows `userns`"
-                }
-                false => &error.remedy,
-            };
-            (Err(error.problem.clone()), remedy.to_owned())
-        }
+        Err(error) => (Err(error.problem), error.remedy),
     };
     Finding::optional(
         "sandbox",
@@ -227,27 +217,15 @@ fn sandbox(checkout: &Checkout) -> Finding {
     )
 }
 
-/// Ubuntu 24.04 and later allow user namespaces only to programs with an AppArmor profile.
-fn are_user_namespaces_restricted() -> bool {
-    let setting = "/proc/sys/kernel/apparmor_restrict_unprivileged_userns";
-    fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
-}
-
 fn landlock() -> Finding {
-    let modules = fs::read_to_string("/sys/kernel/security/lsm");
+    let found = match has_landlock() {
+        true => Ok("the kernel has it".into()),
+        false => Err("the kernel was built without it, or it is switched off".into()),
+    };
     Finding::optional(
         "Landlock",
         "to hide files from code that runs with `--sandbox container`; bubblewrap works without it",
-        match modules {
-            Ok(modules) if modules.split(',').any(|name| name.trim() == "landlock") => {
-                Ok("the kernel has it".into())
-            }
-            Ok(_) => Err("the kernel was built without it, or it is switched off".into()),
-            Err(_) => Err(
-                "cannot tell whether the kernel has it: there is no /sys/kernel/security/lsm"
-                    .into(),
-            ),
-        },
+        found,
         "boot Linux 5.13 or newer, with `landlock` listed in the kernel parameter `lsm=`",
     )
 }

@@ -1,6 +1,8 @@
 //! `pinhole doctor` on this machine, and on one that lacks everything.
 
-use pinhole_testing::{fresh, pinhole, pinhole_in, pinhole_with, trusted};
+use std::process::Command;
+
+use pinhole_testing::{fresh, pinhole, pinhole_in, pinhole_with, program_of, ran, root, trusted};
 use serde_json::Value;
 
 fn finding<'a>(document: &'a Value, name: &str) -> &'a Value {
@@ -13,7 +15,7 @@ fn finding<'a>(document: &'a Value, name: &str) -> &'a Value {
 fn the_doctor_finds_what_these_tests_use() {
     let document = pinhole(&["doctor", "--json"]).expect_code(0).json();
     for name in [
-        "Rust", "linker", "space", "sandbox", "seccomp", "Mitsuba", "oiiotool",
+        "Rust", "linker", "space", "sandbox", "Landlock", "seccomp", "Mitsuba", "oiiotool",
     ] {
         let finding = finding(&document, name);
         assert_eq!(finding["is_there"], true, "{finding}");
@@ -44,6 +46,10 @@ fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
         assert_eq!(finding["is_there"], false, "{finding}");
         assert!(finding["remedy"].is_string(), "{finding}");
     }
+    // The sandbox is not to blame for the missing compiler.
+    let sandbox = finding(&document, "sandbox");
+    assert_eq!(sandbox["found"], "cannot ask rustc for its folder");
+    assert_eq!(sandbox["remedy"], "install Rust from rustup.rs");
     let ran = pinhole_with(&nowhere, &["doctor"]).expect_code(3);
     assert!(
         ran.out.contains("missing  linker    cannot start cc"),
@@ -55,4 +61,35 @@ fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
         "{}",
         ran.out
     );
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn the_doctor_says_which_bubblewrap_it_starts() {
+    let folder = fresh(&trusted(), "other-bwrap");
+    let other = folder.join("bwrap");
+    std::fs::write(&other, "").expect("there is room");
+    let path = std::env::var("PATH").expect("there is a PATH");
+    let mut without = Command::new("bwrap");
+    without.args([
+        "--dev-bind",
+        "/",
+        "/",
+        "--ro-bind",
+        "/dev/null",
+        "/usr/bin/bwrap",
+    ]);
+    without.args(["--setenv", "PATH", &format!("{}:{path}", folder.display())]);
+    without.arg("--").arg(program_of("doctor"));
+    let output = without
+        .args(["doctor", "--json"])
+        .current_dir(root())
+        .output();
+    let document = ran(output.expect("bubblewrap is installed")).json();
+    let found = finding(&document, "sandbox")["found"].to_string();
+    let place = format!(
+        "it is at {}, but Pinhole only starts /usr/bin/bwrap",
+        other.display()
+    );
+    assert!(found.contains(&place), "{found}");
 }

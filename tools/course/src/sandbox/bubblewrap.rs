@@ -1,21 +1,22 @@
 //! The sandbox that bubblewrap makes from Linux namespaces. Files that are not bound inside don't
 //! exist there.
 
-use std::io;
 use std::os::unix::fs::chown;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
+use std::{fs, io};
 
 use super::Limits;
 use super::budget::Budget;
 use super::confine;
 use super::host_paths::HostPaths;
 use super::syscalls::Purpose;
-use super::toolchain::{libraries, library_names, linker, sysroot};
+use super::toolchain::{libraries, library_names, linker};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::Result;
+use crate::rust_tool::tool;
 
 /// What is needed to make the sandbox.
 #[derive(Clone, Debug)]
@@ -48,12 +49,49 @@ const PINHOLE_INSIDE: &str = "/pinhole";
 /// More processes than any user can own, so this limit never applies.
 const UNCOUNTED: u64 = 1 << 20;
 
+/// What to do if bubblewrap does not work here.
+pub fn remedy() -> &'static str {
+    match Path::new(BWRAP).is_file() && are_user_namespaces_restricted() {
+        true => {
+            "AppArmor keeps bubblewrap from creating user namespaces: run `sudo sysctl \
+             kernel.apparmor_restrict_unprivileged_userns=0`, or give /usr/bin/bwrap a profile \
+             that allows `userns`"
+        }
+        false => {
+            "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
+             pass --sandbox container; or pass --trust if the code is your own"
+        }
+    }
+}
+
+/// Ubuntu 24.04 and later allow user namespaces only to programs with an AppArmor profile.
+fn are_user_namespaces_restricted() -> bool {
+    let setting = "/proc/sys/kernel/apparmor_restrict_unprivileged_userns";
+    fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
+}
+
+/// Checks that bubblewrap is where we start it.
+fn find() -> io::Result<()> {
+    if Path::new(BWRAP).is_file() {
+        return Ok(());
+    }
+    let other = tool("bwrap", Path::new("/"));
+    let other = Path::new(other.get_program());
+    Err(io::Error::other(match other.is_absolute() {
+        true => format!(
+            "it is at {}, but Pinhole only starts {BWRAP}",
+            other.display()
+        ),
+        false => format!("there is no {BWRAP}"),
+    }))
+}
+
 impl Bubblewrap {
     /// Checks that bubblewrap works here. If not, returns its message.
-    pub fn new(checkout: &Checkout) -> io::Result<Bubblewrap> {
+    pub fn new(checkout: &Checkout, sysroot: PathBuf) -> io::Result<Bubblewrap> {
+        find()?;
         let is_root = rustix::process::getuid().is_root();
         let uid = is_root.then(UserId::reserve).transpose();
-        let sysroot = sysroot(checkout).map_err(|error| io::Error::other(error.problem))?;
         let walls = Bubblewrap {
             host_paths: HostPaths::new(checkout, &sysroot, None),
             sysroot,

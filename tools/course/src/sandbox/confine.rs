@@ -160,6 +160,13 @@ fn step<T, E: Display>(name: &str, result: Result<T, E>) -> Result<T, String> {
     result.map_err(|error| format!("{name}: {error}"))
 }
 
+/// Whether the kernel offers Landlock. Making a ruleset restricts nothing yet.
+pub fn has_landlock() -> bool {
+    let ruleset = Ruleset::default().set_compatibility(CompatLevel::HardRequirement);
+    let ruleset = ruleset.handle_access(AccessFs::from_all(ABI::V1));
+    ruleset.and_then(Ruleset::create).is_ok()
+}
+
 /// Uses Landlock to forbid all other files, and signals to processes outside, as far as this
 /// kernel supports it.
 fn fence_files(confine: &Confine) -> Result<(), String> {
