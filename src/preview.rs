@@ -26,7 +26,8 @@ pub struct Preview {
     pub copied: Vec<bool>,
     /// What the submission answered.
     pub answered: Vec<TaskKind>,
-    /// What came from the golden films instead.
+    /// What has no answer yet, and came from the golden films instead. The choice of the nearest
+    /// object always does.
     pub missing: Vec<TaskKind>,
 }
 
@@ -47,7 +48,7 @@ impl Preview {
             film: Film::new(scene.resolution, Vec::new()),
             copied: vec![false; pixels.len()],
             answered: Vec::new(),
-            missing: vec![(Kind::FirstHit, None)],
+            missing: Vec::new(),
         };
         let questions = pixels
             .clone()

@@ -45,7 +45,7 @@ pub struct Cast {
 pub struct Shares {
     /// The tasks that it answered.
     pub yours: Vec<String>,
-    /// The tasks whose answers come from the golden films.
+    /// The tasks without an answer, for which the golden films fill in.
     pub golden: Vec<String>,
     /// For each pixel, whether it was copied from the golden film.
     pub copied: Vec<bool>,
@@ -184,7 +184,11 @@ impl fmt::Display for Shares {
             true => writeln!(f, "nothing in this film is yours yet")?,
             false => writeln!(f, "yours: {}", self.yours.join(", "))?,
         }
-        let golden = self.golden.join(", ");
-        write!(f, "from Mitsuba's film (copied pixels are faded): {golden}")
+        let missing = self.golden.iter().map(|task| format!("{task}, "));
+        let missing: String = missing.collect();
+        write!(
+            f,
+            "from Mitsuba's film (copied pixels are faded): {missing}which object a pixel shows"
+        )
     }
 }

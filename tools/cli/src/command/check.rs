@@ -135,7 +135,8 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         let zip = packed.map(|(zip, files)| {
             let zip = printable(&zip.display().to_string());
             let answers = if files == 1 { "answer" } else { "answers" };
-            anstream::println!("packed: {zip} holds {files} {answers}; hand it in");
+            let rest = worth_of_packed(outcome, selection.is_everything());
+            anstream::println!("packed: {zip} holds {files} {answers}; {rest}");
             zip
         });
         match Finish::of(&examination, &assignment, &again(arguments).part) {
@@ -169,6 +170,26 @@ fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome
     let place = next.and_then(|task| submission.place_to_edit(&task.name));
     if let Some(place) = place {
         anstream::println!("edit: {}", printable(&place));
+    }
+}
+
+/// What to know before handing in: which answers are still stubs and, if everything was judged, the
+/// points.
+fn worth_of_packed(outcome: &Outcome, is_everything: bool) -> String {
+    let points = outcome.points.filter(|_| is_everything && !outcome.passes);
+    let points = points.map(|points| format!("they have {points} of {} points", outcome.possible));
+    let tasks = outcome.tasks.iter().filter(|task| task.is_unanswered());
+    let stubs: Vec<String> = tasks.map(|task| format!("`{}`", task.name)).collect();
+    let are = if stubs.len() == 1 {
+        "is still the stub"
+    } else {
+        "are still stubs"
+    };
+    let stubs = (!stubs.is_empty()).then(|| format!("{} {are}", stubs.join(", ")));
+    let known: Vec<String> = stubs.into_iter().chain(points).collect();
+    match known.is_empty() {
+        true => "hand it in".into(),
+        false => known.join("; "),
     }
 }
 

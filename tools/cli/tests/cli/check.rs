@@ -190,16 +190,17 @@ fn packed_answers_are_a_submission_and_a_reset_answer_is_kept() {
     let zip = zip.to_str().expect("a plain name");
     pinhole(&["check", name, "--task", "sphere", "--pack", zip])
         .expect_code(0)
-        .expect_out("answers.zip holds 6 answers");
+        .expect_out("answers.zip holds 6 answers; hand it in\n");
     pinhole(&["check", zip, "--trust", "--task", "sphere"]).expect_code(0);
     pinhole(&["reset", "plane", name])
         .expect_code(0)
         .expect_out("plane.rs.old");
     let kept = std::fs::read_to_string(folder.join("plane.rs.old"));
     assert_eq!(kept.expect("it is kept"), "fn mine() {}");
-    pinhole(&["check", name, "--task", "plane"])
+    pinhole(&["check", name, "--task", "plane", "--pack", zip])
         .expect_code(1)
         .expect_out("unanswered")
+        .expect_out("holds 6 answers; `plane` is still the stub\n")
         .expect_out(&format!("edit: {}:", from_root(name, "plane.rs")));
     pinhole(&["reset", "no_such_task", name])
         .expect_code(2)
