@@ -11,7 +11,7 @@ mod catches;
 mod difference;
 mod draws;
 mod equivalents;
-mod hints;
+pub mod hints;
 mod mutants;
 mod mutate;
 mod naming;

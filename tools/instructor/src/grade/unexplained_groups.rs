@@ -53,16 +53,42 @@ pub fn groups<'a>(records: impl Iterator<Item = &'a RecordSummary>) -> Vec<Unexp
     groups
 }
 
+/// Stands in a draft for a hint's example. It has no number, so `validate` asks for one.
+const EXAMPLE: &str = "a small case in numbers";
+
 /// A draft of `mistake.toml`, to be placed beside the wrong answer file.
 fn draft(task: &str, chapter: &str, measured: &[String]) -> String {
     let comments: Vec<String> = measured.iter().map(|says| format!("# {says}")).collect();
     let quoted = |text: &str| toml::Value::from(text).to_string();
     format!(
         "# Measured in the answers to {}:\n{}\nbelief = \"I …\"\nfails = [{}]\nchapter = {}\n\n\
-         [hint]\nlook = \"…\"\nthink = \"…\"\nread = \"a section of the chapter\"\n",
+         [hint]\nlook = \"…\"\nthink = \"…\"\nexample = \"{EXAMPLE}\"\n\
+         read = \"a section of the chapter\"\n",
         task,
         comments.join("\n"),
         quoted(task),
         quoted(chapter),
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use pinhole_course::mistake::Mistake;
+
+    use super::*;
+    use crate::validate::hints::faults_of;
+
+    #[test]
+    fn a_draft_is_a_mistake_whose_example_is_still_to_be_written() {
+        let draft = draft("sphere", "Sphere", &["t is multiplied by |d|".into()]);
+        let mut hint = toml::from_str::<Mistake>(&draft).unwrap().hint;
+        assert_eq!(hint.example.as_deref(), Some(EXAMPLE));
+        let faults = faults_of(&hint, true);
+        assert!(
+            faults.len() == 1 && faults[0].contains("`hint.example`"),
+            "{faults:?}"
+        );
+        hint.example = Some("t is 4.".into());
+        assert_eq!(faults_of(&hint, true), Vec::<String>::new());
+    }
 }

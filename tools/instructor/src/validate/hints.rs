@@ -21,7 +21,8 @@ pub fn faults(mistakes: &[MistakeFolder]) -> Vec<String> {
     mistakes.iter().flat_map(of_one).collect()
 }
 
-fn faults_of(hint: &Hint, needs_example: bool) -> Vec<String> {
+/// What is wrong with a hint.
+pub fn faults_of(hint: &Hint, needs_example: bool) -> Vec<String> {
     let example = hint.example.as_deref().unwrap_or_default();
     let depths = [&hint.look, &hint.think, example, &hint.read];
     let words: usize = depths.iter().map(|it| it.split_whitespace().count()).sum();
@@ -39,7 +40,7 @@ fn faults_of(hint: &Hint, needs_example: bool) -> Vec<String> {
         ));
     }
     if needs_example && !example.contains(|c: char| c.is_ascii_digit()) {
-        faults.push("its hint has no number; add `example`, a small case in numbers".into());
+        faults.push("`hint.example` has no number; write a small case in numbers there".into());
     }
     faults
 }
