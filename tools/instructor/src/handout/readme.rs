@@ -15,10 +15,16 @@ const FORMATS: &str = "book/src/appendix/scene_and_film_files.md";
 /// The beginning of a template line that a section replaces. The section's heading follows.
 const QUOTED: &str = "<!-- quoted: ";
 
-/// The first word of a template line that stays only if the handout has this file.
-const ONLY_WITH: [(&str, &str); 2] = [
-    ("<!-- book -->", "book/index.html"),
-    ("<!-- meshes -->", "<!-- folder -->/scenes/meshes/README.md"),
+/// The first word of a template line that stays only if the handout has this file (or, with
+/// `false`, lacks it).
+const ONLY_IF: [(&str, bool, &str); 3] = [
+    ("<!-- book -->", true, "book/index.html"),
+    ("<!-- no book -->", false, "book/index.html"),
+    (
+        "<!-- meshes -->",
+        true,
+        "<!-- folder -->/scenes/meshes/README.md",
+    ),
 ];
 
 /// Replaces the course's README with a student's. A section is quoted from the first of these that
@@ -57,10 +63,10 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
     let mut missing = None;
     let mut text = String::new();
     for line in TEMPLATE.lines() {
-        let only = ONLY_WITH.iter().find(|(word, _)| line.starts_with(word));
-        let line = match only {
-            Some((_, file)) if !files.contains_key(&fill(file)) => continue,
-            Some((word, _)) => &line[word.len()..],
+        let mut only = ONLY_IF.iter();
+        let line = match only.find(|(word, ..)| line.starts_with(word)) {
+            Some((_, has, file)) if files.contains_key(&fill(file)) != *has => continue,
+            Some((word, ..)) => &line[word.len()..],
             None => line,
         };
         let heading = line

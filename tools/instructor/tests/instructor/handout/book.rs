@@ -26,4 +26,13 @@ fn a_built_book_is_handed_out_unless_it_shows_an_answer() {
     let readme = fs::read_to_string(out.join("README.md")).expect("it has one");
     assert!(readme.contains("open\n`book/index.html`"), "{readme}");
     assert!(!readme.contains("<!--"), "{readme}");
+    let ask = "ask your instructor";
+    assert!(!readme.contains(ask), "{readme}");
+    let without = folder.join("without");
+    pinhole(&["handout", "--out", plain(&without)]).expect_code(0);
+    let readme = fs::read_to_string(without.join("README.md")).expect("it has one");
+    assert!(
+        readme.contains(ask) && !readme.contains("index.html"),
+        "{readme}"
+    );
 }
