@@ -145,19 +145,20 @@ impl Submission {
         })
     }
 
-    /// Where to edit the answer to a task, as `file:line` from the current folder: at its first
-    /// `todo!`, or else at its first function. `None` in an archive.
-    pub fn place_to_edit(&self, task: &str) -> Option<String> {
+    /// Where to edit the answer to a task, as `file:line` from the current folder: at the line of
+    /// the message about it, if there is one, or else at its first `todo!`, or else at its first
+    /// function. `None` in an archive.
+    pub fn place_to_edit(&self, task: &str, of_message: Option<usize>) -> Option<String> {
         let file = self.place.join(task).with_extension("rs");
         let text = self.answer(task)?.text.as_ref().ok()?;
         let line = |sign: &str| {
             let mut lines = text.lines().map(str::trim_start);
-            lines.position(|line| line.starts_with(sign))
+            Some(lines.position(|line| line.starts_with(sign))? + 1)
         };
         let mut signs = ["todo!", "pub fn ", "fn "].into_iter();
-        let line = signs.find_map(line).unwrap_or(0);
+        let line = of_message.or_else(|| signs.find_map(line)).unwrap_or(1);
         let file = from_here(&file).display().to_string();
-        self.place.is_dir().then(|| format!("{file}:{}", line + 1))
+        self.place.is_dir().then(|| format!("{file}:{line}"))
     }
 
     fn unpack(path: &Path, assignment: &Assignment) -> Result<Option<Submission>> {

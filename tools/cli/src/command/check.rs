@@ -14,7 +14,7 @@ use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::goldens::Goldens;
-use pinhole_course::outcome::Outcome;
+use pinhole_course::outcome::{AnswerFile, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::{Choice, Sandbox};
@@ -167,7 +167,7 @@ fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome
     let failing = || outcome.tasks.iter().filter(|task| !task.passes());
     let start = failing().find(|task| task.name == assignment.start);
     let next = start.or_else(|| failing().next());
-    let place = next.and_then(|task| submission.place_to_edit(&task.name));
+    let place = next.and_then(|task| submission.place_to_edit(&task.name, task.line()));
     if let Some(place) = place {
         anstream::println!("edit: {}", printable(&place));
     }
@@ -178,7 +178,8 @@ fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome
 fn worth_of_packed(outcome: &Outcome, is_everything: bool) -> String {
     let points = outcome.points.filter(|_| is_everything && !outcome.passes);
     let points = points.map(|points| format!("they have {points} of {} points", outcome.possible));
-    let tasks = outcome.tasks.iter().filter(|task| task.is_unanswered());
+    let is_stub = |task: &&TaskOutcome| task.is_unanswered() && task.file == AnswerFile::Compiled;
+    let tasks = outcome.tasks.iter().filter(is_stub);
     let stubs: Vec<String> = tasks.map(|task| format!("`{}`", task.name)).collect();
     let are = if stubs.len() == 1 {
         "is still the stub"
@@ -188,7 +189,8 @@ fn worth_of_packed(outcome: &Outcome, is_everything: bool) -> String {
     let stubs = (!stubs.is_empty()).then(|| format!("{} {are}", stubs.join(", ")));
     let known: Vec<String> = stubs.into_iter().chain(points).collect();
     match known.is_empty() {
-        true => "hand it in".into(),
+        true if outcome.passes => "hand it in".into(),
+        true => "not all of them are right yet".into(),
         false => known.join("; "),
     }
 }

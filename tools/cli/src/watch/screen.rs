@@ -6,6 +6,7 @@ use super::hints;
 use super::keys::KEYS;
 use super::order::Item;
 use super::state::State;
+use pinhole_course::outcome::TaskOutcome;
 use pinhole_report::escape::printable;
 use pinhole_report::terminal::{self, FAIL, PASS, QUIET, STRONG};
 
@@ -98,7 +99,14 @@ fn foot(state: &State, columns: usize) -> String {
     });
     let file = match state.item() {
         Some(Item::Task(name)) => {
-            let place = state.submission.place_to_edit(name).unwrap_or_default();
+            let mut tasks = state.known.outcome.tasks.iter();
+            let line = tasks
+                .find(|task| task.name == *name)
+                .and_then(TaskOutcome::line);
+            let place = state
+                .submission
+                .place_to_edit(name, line)
+                .unwrap_or_default();
             format!("{QUIET}edit {}{QUIET:#}\n", printable(&place))
         }
         _ => String::new(),

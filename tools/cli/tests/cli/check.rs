@@ -221,12 +221,18 @@ fn packed_answers_with_all_points_are_ready_to_hand_in() {
 
 #[test]
 fn a_compile_error_shows_only_the_compilers_messages_about_that_file() {
-    let folder = submission(&trusted(), "compile-error", &[("plane.rs", "fn broken( {")]);
+    let folder = submission(
+        &trusted(),
+        "compile-error",
+        &[("plane.rs", "fn fine() {}\nfn broken( {")],
+    );
     let folder = folder.to_str().expect("a plain name");
     let ran = pinhole(&["check", folder, "--task", "plane", "--task", "sphere"]).expect_code(1);
+    let place = format!("{}:2", from_root(folder, "plane.rs"));
     let ran = ran
         .expect_out("does not compile")
-        .expect_out(&format!("--> {}:1:13", from_root(folder, "plane.rs")));
+        .expect_out(&format!("--> {place}:13"))
+        .expect_out(&format!("edit: {place}\n"));
     let ran = ran.expect_out("✓ sphere").expect_out("✗ plane");
     for alien in ["main.rs", "aborting", "intersect_ray.rs"] {
         assert!(!ran.out.contains(alien), "{alien} in:\n{}", ran.out);
@@ -269,10 +275,11 @@ fn a_panic_is_reported_with_file_and_line() {
         .position(|line| line.contains("none[3]"))
         .expect("it is there")
         + 1;
+    let place = format!("{}:{line}", from_root(folder, "plane.rs"));
     ran.expect_out(&format!(
-        "your code panicked at {}:{line}: index out of bounds",
-        from_root(folder, "plane.rs")
-    ));
+        "your code panicked at {place}: index out of bounds"
+    ))
+    .expect_out(&format!("edit: {place}\n"));
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! What one answer got: its file, and its groups of questions.
 
+use std::ffi::OsStr;
+use std::path::Path;
+
 use pinhole::Fact;
 use serde::{Deserialize, Serialize, Serializer};
 
@@ -151,6 +154,27 @@ impl TaskOutcome {
     /// Whether every group passes.
     pub fn passes(&self) -> bool {
         self.groups.iter().all(|group| group.outcome.passes())
+    }
+
+    /// The line of the answer's file that the compiler's first message names, or at which the
+    /// answer panicked, from 1.
+    pub fn line(&self) -> Option<usize> {
+        if let AnswerFile::DoesNotCompile { compiler } = &self.file {
+            let (_, place) = compiler.split_once(&format!("{}.rs:", self.name))?;
+            return place
+                .split(|c: char| !c.is_ascii_digit())
+                .next()?
+                .parse()
+                .ok();
+        }
+        self.groups.iter().find_map(|group| match &group.outcome {
+            FilmOutcome::Panicked { file, line, .. } => {
+                let is_own = Path::new(file).file_stem() == Some(OsStr::new(&self.name));
+                // 0 stands for an unknown line.
+                (is_own && *line > 0).then_some(*line as usize)
+            }
+            _ => None,
+        })
     }
 
     /// Whether the answer is still `todo!`.
