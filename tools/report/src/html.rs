@@ -252,7 +252,7 @@ impl JudgedScene<'_> {
             }),
             scene: scene.as_ref(),
             rays,
-            own_rays: SubmittedRays::of(&cast.rays),
+            own_rays: SubmittedRays::of(&cast.rays, rays.as_ref()),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             command: format!(
                 "{} --scene {}",

@@ -36,5 +36,7 @@ function rayAt(rays, i, j) {
     const noise = 1e-6 * Math.max(...first.map(Math.abs));
     return sum.map((value) => (Math.abs(value) < noise ? 0 : value));
   };
-  return { e: at(rays.origin), d: at(rays.direction) };
+  const d = at(rays.direction);
+  const length = rays.is_normalised ? Math.hypot(...d) : 1;
+  return { e: at(rays.origin), d: d.map((value) => value / length) };
 }

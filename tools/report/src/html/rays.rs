@@ -3,7 +3,8 @@
 //! The origins and directions of a camera's rays change evenly from pixel to pixel, so
 //! three corners of Mitsuba's ray film are enough, and the report stays small.
 
-use pinhole::{Film, Resolution};
+use glam::DVec3;
+use pinhole::{Film, Ray, Resolution};
 use pinhole_course::outcome::OwnRays;
 use serde::Serialize;
 
@@ -14,6 +15,8 @@ pub struct RayGrid {
     pub origin: Steps,
     /// World space, not normalised.
     pub direction: Steps,
+    /// Whether the rays' directions are these, normalised.
+    pub is_normalised: bool,
 }
 
 /// A vector at every pixel: `first` + i `per_column` + j `per_row`.
@@ -43,14 +46,14 @@ pub enum SubmittedRays {
 }
 
 impl SubmittedRays {
-    /// How the page describes these rays.
-    pub fn of(rays: &OwnRays) -> SubmittedRays {
+    /// How the page describes these rays. `expected` are Mitsuba's.
+    pub fn of(rays: &OwnRays, expected: Option<&RayGrid>) -> SubmittedRays {
         match rays {
             OwnRays::Unknown => SubmittedRays::Unknown,
             OwnRays::Right => SubmittedRays::Right,
-            OwnRays::Asked(film) => {
-                RayGrid::of(film).map_or(SubmittedRays::Uneven, SubmittedRays::Grid)
-            }
+            OwnRays::Asked(film) => RayGrid::of(film)
+                .or_else(|| RayGrid::of_normalised(film, expected?))
+                .map_or(SubmittedRays::Uneven, SubmittedRays::Grid),
         }
     }
 }
@@ -65,6 +68,29 @@ impl RayGrid {
         Some(RayGrid {
             origin: Steps::of(film, ["O.X", "O.Y", "O.Z"])?,
             direction: Steps::of(film, ["D.X", "D.Y", "D.Z"])?,
+            is_normalised: false,
+        })
+    }
+
+    /// The grid of rays with normalised directions: they change evenly when they are long enough
+    /// to reach the image plane of the expected rays.
+    fn of_normalised(film: &Film, expected: &RayGrid) -> Option<RayGrid> {
+        let Steps {
+            first,
+            per_column,
+            per_row,
+        } = expected.direction;
+        let across = DVec3::from(per_column).cross(per_row.into());
+        let rays = (0..film.resolution().pixels()).map(|index| film.ray(index));
+        let rays = rays.map(|ray| {
+            let direction = across.dot(first.into()) / across.dot(ray.direction) * ray.direction;
+            let is_unit = (ray.direction.length() - 1.0).abs() < ROUNDING;
+            (is_unit && direction.is_finite()).then_some(Ray { direction, ..ray })
+        });
+        let rays: Vec<Ray> = rays.collect::<Option<_>>()?;
+        Some(RayGrid {
+            is_normalised: true,
+            ..RayGrid::of(&Film::of_rays(film.resolution(), &rays))?
         })
     }
 }
@@ -107,8 +133,6 @@ impl Steps {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use glam::DVec3;
-    use pinhole::Ray;
     use pinhole_course::assignment::Assignment;
     use pinhole_course::checkout::Checkout;
 
@@ -138,7 +162,8 @@ mod tests {
         let row = Resolution { n_x: 3, n_y: 1 };
         let bent = Film::of_rays(row, &bent);
         assert_eq!(RayGrid::of(&bent), None);
-        let told = |rays| serde_json::to_value(SubmittedRays::of(&rays)).expect("it is plain data");
+        let told =
+            |rays| serde_json::to_value(SubmittedRays::of(&rays, None)).expect("it is plain data");
         assert_eq!(told(OwnRays::Asked(bent)), "uneven");
         let even = [1.0, 2.0].map(|x| Ray {
             origin: DVec3::ZERO,
@@ -146,5 +171,34 @@ mod tests {
         });
         let even = Film::of_rays(Resolution { n_x: 1, n_y: 2 }, &even);
         assert_eq!(told(OwnRays::Asked(even))["direction"]["per_row"][0], -1.0);
+    }
+
+    #[test]
+    fn normalised_rays_are_the_grid_of_their_points_on_the_image_plane() {
+        let size = Resolution { n_x: 3, n_y: 2 };
+        let film = |shift: f64, is_normalised: bool| {
+            let rays = (0..size.pixels()).map(|index| {
+                let pixel = size.pixel(index);
+                let direction = DVec3::new(pixel.i as f64 + shift, pixel.j as f64, -2.0);
+                Ray {
+                    origin: DVec3::ONE,
+                    direction: if is_normalised {
+                        direction.normalize()
+                    } else {
+                        direction
+                    },
+                }
+            });
+            Film::of_rays(size, &rays.collect::<Vec<_>>())
+        };
+        let expected = RayGrid::of(&film(0.0, false)).expect("it is even");
+        let own = SubmittedRays::of(&OwnRays::Asked(film(0.5, true)), Some(&expected));
+        let SubmittedRays::Grid(own) = own else {
+            panic!("{own:?}");
+        };
+        assert!(own.is_normalised);
+        let near = |a: [f64; 3], b: [f64; 3]| DVec3::from(a).abs_diff_eq(b.into(), 1e-6);
+        assert!(near(own.direction.first, [0.5, 0.0, -2.0]), "{own:?}");
+        assert!(near(own.direction.per_column, [1.0, 0.0, 0.0]), "{own:?}");
     }
 }
