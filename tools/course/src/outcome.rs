@@ -12,6 +12,7 @@ mod task;
 use std::path::PathBuf;
 
 use pinhole::judge::{Golden, Verdict};
+use pinhole::kind::CameraQuestion;
 use pinhole::{BoundingBox, Film, NodeBox};
 use serde::{Deserialize, Serialize};
 
@@ -56,6 +57,15 @@ pub enum Picture {
         golden: Film,
         /// What the submission answered, and how many tests it took.
         film: Film,
+    },
+    /// The worst of a group's rays, where it meets the image plane.
+    Ray {
+        /// The camera and the pixel.
+        question: CameraQuestion,
+        /// The expected point: along u and v from the middle, in scene units.
+        expected: [f64; 2],
+        /// The submission's point.
+        got: [f64; 2],
     },
     /// The worst of a group's trees.
     Tree {

@@ -1,9 +1,9 @@
 //! The report: one HTML file that opens from disk and loads nothing else.
 //!
 //! Reading order: `task` and `scene` hold what the page shows; `cause` says why a pixel is wrong;
-//! `heat` shows tests and `tree` shows trees; `belief` holds diagnoses; `pixels`, `window` and
-//! `rays` hold the data of films; `page` turns it all into HTML. Then read `templates`, and
-//! `viewer.js` there.
+//! `heat` shows tests, `tree` shows trees and `ray_drawing` shows where rays go; `belief` holds
+//! diagnoses; `pixels`, `window` and `rays` hold the data of films; `page` turns it all into HTML.
+//! Then read `templates`, and `viewer.js` there.
 
 mod belief;
 mod cause;
@@ -12,6 +12,7 @@ pub mod mark;
 mod page;
 mod picture;
 mod pixels;
+mod ray_drawing;
 mod rays;
 mod scene;
 mod task;
@@ -41,7 +42,7 @@ use pinhole_course::goldens::tests_beside;
 use pinhole_course::outcome::{Examination, FilmOutcome, Outcome, SceneFilm, SceneOutcome};
 pub use rays::{RayGrid, SubmittedRays};
 pub use scene::{Evidence, SceneSection};
-pub use task::TaskSection;
+pub use task::{GroupRow, TaskSection};
 
 /// Lines of a student's own output that are kept.
 const MOST_PRINTED_LINES: usize = 200;

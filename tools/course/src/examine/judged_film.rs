@@ -43,10 +43,19 @@ impl JudgedFilm {
                 film: film.clone(),
             });
         }
+        let index = asked.resolution.index(worst.pixel);
+        if let Questions::ViewingRay(questions) = asked.job.questions()? {
+            let question = *questions.get(index)?;
+            let meets = |film: &Film| question.on_image_plane(&film.ray(index));
+            return Some(Picture::Ray {
+                question,
+                expected: meets(asked.golden.film()),
+                got: meets(film),
+            });
+        }
         let Questions::Tree(questions) = asked.job.questions()? else {
             return None;
         };
-        let index = asked.resolution.index(worst.pixel);
         let question = questions.get(index)?;
         Some(Picture::Tree {
             primitives: question.boxes.clone(),

@@ -100,7 +100,7 @@ impl Withheld {
             for (row, group) in section.groups.iter_mut().zip(&task.groups) {
                 // They show one of the questions.
                 if self.holds_group(&task.name, group) && self.reveal < Reveal::Full {
-                    (row.heat, row.tree) = (None, None);
+                    (row.heat, row.tree, row.ray) = (None, None, None);
                 }
             }
         }

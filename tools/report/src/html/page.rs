@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::Report;
 use super::cause::Cause;
 
-const TEMPLATES: [(&str, &str); 8] = [
+const TEMPLATES: [(&str, &str); 9] = [
     ("report.html", include_str!("../../templates/report.html")),
     ("name.html", include_str!("../../templates/name.html")),
     ("task.html", include_str!("../../templates/task.html")),
@@ -21,6 +21,7 @@ const TEMPLATES: [(&str, &str); 8] = [
     ("beliefs.html", include_str!("../../templates/beliefs.html")),
     ("read.html", include_str!("../../templates/read.html")),
     ("heat.html", include_str!("../../templates/heat.html")),
+    ("ray.html", include_str!("../../templates/ray.html")),
     ("tree.html", include_str!("../../templates/tree.html")),
 ];
 

@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::belief::Beliefs;
 use super::heat::HeatMaps;
+use super::ray_drawing::RayDrawing;
 use super::tree::TreeDrawings;
 use crate::escape::printable;
 use crate::passage::Passage;
@@ -54,6 +55,8 @@ pub struct GroupRow {
     pub heat: Option<HeatMaps>,
     /// The worst of its trees, if it asks for trees.
     pub tree: Option<TreeDrawings>,
+    /// Where its worst ray meets the image plane, if it asks for rays.
+    pub ray: Option<RayDrawing>,
 }
 
 impl TaskSection {
@@ -100,14 +103,15 @@ fn rows(task: &TaskOutcome, pictures: &[GroupPicture]) -> Vec<GroupRow> {
         let again = !is_judged && told.contains(&said);
         told.push(said.clone());
         let is_its = |it: &&GroupPicture| it.task == task.name && it.group == group.name;
-        let (heat, tree) = match pictures.iter().find(is_its).map(|it| &it.shows) {
+        let shows = pictures.iter().find(is_its).map(|it| &it.shows);
+        let (heat, tree) = match shows {
             Some(Picture::Tests { golden, film }) => (HeatMaps::beside(golden, film), None),
             Some(Picture::Tree {
                 primitives,
                 expected,
                 got,
             }) => (None, TreeDrawings::beside(primitives, expected, got)),
-            None => (None, None),
+            Some(Picture::Ray { .. }) | None => (None, None),
         };
         GroupRow {
             name: group.name.clone(),
@@ -121,6 +125,7 @@ fn rows(task: &TaskOutcome, pictures: &[GroupPicture]) -> Vec<GroupRow> {
             },
             heat,
             tree,
+            ray: shows.and_then(RayDrawing::of),
         }
     };
     task.groups.iter().map(row).collect()

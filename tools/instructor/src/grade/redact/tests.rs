@@ -1,10 +1,12 @@
+use glam::DVec3;
 use pinhole::film::TESTS;
 use pinhole::judge::{Golden, judge};
-use pinhole::{Fact, Film, Resolution};
+use pinhole::kind::CameraQuestion;
+use pinhole::{Camera, Fact, Film, Pixel, Projection, Resolution};
 use pinhole_course::diagnosis::Reading;
 use pinhole_course::diagnosis::measure::Finding;
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, GroupPicture, Picture, TaskOutcome};
-use pinhole_report::html::{Evidence, HeatMaps, SubmittedRays, TaskSection};
+use pinhole_report::html::{Evidence, GroupRow, HeatMaps, SubmittedRays, TaskSection};
 use pinhole_report::terminal;
 
 use super::*;
@@ -204,7 +206,32 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
 #[test]
 fn a_picture_of_a_withheld_question_is_drawn_only_if_all_is_revealed() {
     let film = || Film::new(ONE_PIXEL, Vec::new()).with(TESTS, vec![3.0]);
-    for reveal in REVEALS {
+    let tests = || Picture::Tests {
+        golden: film(),
+        film: film(),
+    };
+    let size = (1.0, 1.0);
+    let camera = Camera::new(
+        DVec3::ZERO,
+        DVec3::X,
+        DVec3::Y,
+        size,
+        Projection::Orthographic,
+    );
+    let ray = || Picture::Ray {
+        question: CameraQuestion {
+            camera: camera.expect("view and up differ"),
+            pixel: Pixel { i: 0, j: 0 },
+            resolution: ONE_PIXEL,
+        },
+        expected: [0.0; 2],
+        got: [0.5; 2],
+    };
+    let kinds: [&dyn Fn() -> Picture; 2] = [&tests, &ray];
+    for (reveal, shows) in REVEALS
+        .into_iter()
+        .flat_map(|reveal| kinds.map(|shows| (reveal, shows)))
+    {
         let withheld = Withheld {
             scenes: Vec::new(),
             scene_groups: vec![("plane".into(), "scenes".into())],
@@ -215,17 +242,15 @@ fn a_picture_of_a_withheld_question_is_drawn_only_if_all_is_revealed() {
         let picture = |group: &str| GroupPicture {
             task: "plane".into(),
             group: group.into(),
-            shows: Picture::Tests {
-                golden: film(),
-                film: film(),
-            },
+            shows: shows(),
         };
         let mut report = empty_report();
         let pictures = [picture("front"), picture("fresh")];
         report.tasks = vec![TaskSection::of(0, &outcome.tasks[0], &pictures, "")];
         withheld.redact_report(&mut report, &outcome);
         let groups = &report.tasks[0].groups;
-        let [front, _, fresh] = [0, 1, 2].map(|group| groups[group].heat.is_some());
+        let is_drawn = |group: &GroupRow| group.heat.is_some() || group.ray.is_some();
+        let [front, _, fresh] = [0, 1, 2].map(|group| is_drawn(&groups[group]));
         assert_eq!((front, fresh), (true, reveal == Reveal::Full), "{reveal:?}");
     }
 }
