@@ -18,7 +18,7 @@ use crate::assignment::{Assignment, Task};
 use crate::compile::Program;
 use crate::describe;
 use crate::diagnosis::Diagnosis;
-use crate::diagnosis::measure::measure;
+use crate::diagnosis::measure::{measure, single_precision};
 use crate::error::{Error, Result};
 use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
@@ -271,10 +271,14 @@ impl Examiner<'_> {
                 self.goldens.diagnose_task(&task.name, &casts)
             })?,
         };
-        let measured = match passes {
-            true => Vec::new(),
-            false => timed("measure errors", || measure(&asked(task, &questions, &all))),
-        };
+        let measured = timed("measure errors", || {
+            let asked = asked(task, &questions, &all);
+            match passes {
+                false => measure(&asked),
+                true if self.interactive => single_precision(&asked).into_iter().collect(),
+                true => Vec::new(),
+            }
+        });
         let replaced = self.program.replaced.get(&task.name);
         let findings = measured.into_iter().map(|measured| measured.finding);
         let mut outcome = TaskOutcome::new(task, replaced, results, diagnosis, findings.collect());

@@ -17,6 +17,7 @@ use pinhole::{BoundingBox, Film, NodeBox};
 use serde::{Deserialize, Serialize};
 
 use crate::diagnosis::Diagnosis;
+use crate::diagnosis::measure::Finding;
 use crate::submission::flags::Flag;
 
 pub use self::film::{Comparison, FilmOutcome};
@@ -35,6 +36,23 @@ pub struct Examination {
     pub films: Vec<SceneFilm>,
     /// What can be drawn of questions, at most one picture for each group.
     pub pictures: Vec<GroupPicture>,
+}
+
+impl Examination {
+    /// Answers that may be why a scene fails although they pass their tasks: each task, and what
+    /// was measured in its answers. Empty if another answer that the scene needs fails.
+    pub fn suspects<'a>(&'a self, film: &'a SceneFilm) -> Vec<(&'a str, &'a Finding)> {
+        let tasks = self.outcome.tasks.iter();
+        let needed = tasks.filter(|task| film.needs.contains(&task.name));
+        if !needed.clone().all(TaskOutcome::passes) {
+            return Vec::new();
+        }
+        let measured = needed.flat_map(|task| {
+            let findings = task.measured.iter();
+            findings.map(|finding| (task.name.as_str(), finding))
+        });
+        measured.collect()
+    }
 }
 
 /// What can be drawn of a group of questions.
@@ -95,6 +113,8 @@ pub struct SceneFilm {
     pub rays: OwnRays,
     /// How many tests each pixel took, as the submission counts them, if it does.
     pub tests: Option<Film>,
+    /// The tasks whose answers it needs.
+    pub needs: Vec<String>,
 }
 
 /// What is known of the rays that a submission sends through the pixels of a scene.

@@ -134,6 +134,7 @@ impl Report {
             let evidence = JudgedScene {
                 scene,
                 film,
+                examination,
                 submission: &outcome.submission,
                 goldens,
                 again,
@@ -215,6 +216,7 @@ fn summary(outcome: &Outcome) -> String {
 struct JudgedScene<'a> {
     scene: &'a SceneOutcome,
     film: &'a SceneFilm,
+    examination: &'a Examination,
     submission: &'a str,
     goldens: &'a Path,
     again: &'a RepeatCommands,
@@ -255,6 +257,10 @@ impl JudgedScene<'_> {
             rays,
             own_rays: SubmittedRays::of(&cast.rays, rays.as_ref()),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
+            remarks: match passes {
+                true => Vec::new(),
+                false => terminal::remarks(self.examination, cast),
+            },
             command: format!(
                 "{} --scene {}",
                 self.again.part,

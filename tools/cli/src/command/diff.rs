@@ -196,6 +196,7 @@ fn film_report(
             rays: html::rays_beside(&arguments.golden),
             own_rays: SubmittedRays::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),
+            remarks: Vec::new(),
             command,
             explain: None,
         },

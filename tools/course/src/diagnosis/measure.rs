@@ -78,10 +78,7 @@ const MOST_SAID: usize = 4;
 pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
     let samples = samples(films);
     let mut found = decisions(&samples);
-    let both: Vec<&Sample> = samples
-        .iter()
-        .filter(|sample| sample.right.is_some() && sample.given.is_some())
-        .collect();
+    let both = with_both_answers(&samples);
     let is_hit = |sample: &Sample| sample.right.iter().flatten().any(Part::is_object);
     let noun = match samples.iter().any(is_hit) {
         true => HITS,
@@ -137,11 +134,7 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
     if has_law && noun != HITS {
         found.retain(|measured| measured.claim.rank() == 0);
     }
-    // In other tasks, an answer may repeat a number of its question, and questions have single
-    // precision.
-    if films.iter().all(|film| film.questions.kind().takes_shape()) {
-        found.splice(0..0, single::found(&both));
-    }
+    found.splice(0..0, single::found(films, &both));
     found.truncate(MOST_SAID);
     let told = |about: &str| found.iter().any(|measured| measured.finding.about == about);
     right.retain(|(about, _)| !told(about));
@@ -150,6 +143,19 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
         found.push(right_parts(&right, noun, objects));
     }
     found
+}
+
+/// Reports answers in single precision. They may all be right, but in a scene, their errors can add
+/// up.
+pub fn single_precision(films: &[QuestionsAndAnswers<'_>]) -> Option<Measurement> {
+    single::found(films, &with_both_answers(&samples(films)))
+}
+
+/// The samples for which there is a right answer, and one was given.
+fn with_both_answers(samples: &[Sample]) -> Vec<&Sample> {
+    let both = samples.iter();
+    both.filter(|sample| sample.right.is_some() && sample.given.is_some())
+        .collect()
 }
 
 /// Reports the parts that are right wherever they can be compared.

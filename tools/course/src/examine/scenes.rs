@@ -154,6 +154,8 @@ impl Examiner<'_> {
             Some(judged) => (judged.film, judged.verdict.and_then(|verdict| verdict.ok())),
             None => (None, None),
         };
+        let tasks = self.assignment.tasks.iter();
+        let needs = tasks.filter(|task| film.job.needs(task.kind, task.shape));
         let film = SceneFilm {
             file: scene.file.clone(),
             argument: scene.argument.clone(),
@@ -162,6 +164,7 @@ impl Examiner<'_> {
             verdict,
             rays,
             tests,
+            needs: needs.map(|task| task.name.clone()).collect(),
         };
         Ok((outcome, film, printed))
     }

@@ -39,6 +39,8 @@ pub struct Evidence<'a> {
     pub rays: Option<RayGrid>,
     pub own_rays: SubmittedRays,
     pub beliefs: Option<Beliefs>,
+    /// What is remarkable in answers that pass their tasks.
+    pub remarks: Vec<String>,
     /// The command that repeats this.
     pub command: String,
     /// The command that explains a pixel, in two parts: what comes before the pixel's column, and
@@ -72,6 +74,7 @@ pub struct SceneSection {
     /// to compare.
     pub viewer: Option<String>,
     pub beliefs: Option<Beliefs>,
+    pub remarks: Vec<String>,
     pub command: String,
     /// The command that explains the worst pixel.
     pub explain: Option<String>,
@@ -181,6 +184,7 @@ impl SceneSection {
             heat: evidence.heat,
             viewer,
             beliefs: evidence.beliefs,
+            remarks: evidence.remarks,
             command: evidence.command,
             explain: evidence
                 .explain

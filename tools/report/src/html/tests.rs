@@ -5,6 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use hmac_sha256::Hash;
 use pinhole::Fact;
 use pinhole::judge::judge;
+use pinhole_course::diagnosis::measure::Finding;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
 
@@ -134,6 +135,11 @@ fn data_for_the_script_ends_no_element() {
 
 /// What the terminal says of scenes whose wrong pixels these beliefs explain.
 fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
+    terminal::scenes(&scene_examination(of_task, of_scenes))
+}
+
+/// Two scenes whose wrong pixels these beliefs explain.
+fn scene_examination(of_task: &[Explanation], of_scenes: &[Explanation]) -> Examination {
     let beliefs = |beliefs: &[Explanation]| Diagnosis {
         beliefs: beliefs.to_vec(),
         reading: Reading::Together,
@@ -154,9 +160,10 @@ fn scenes(of_task: &[Explanation], of_scenes: &[Explanation]) -> String {
             verdict: None,
             rays: Default::default(),
             tests: None,
+            needs: Vec::new(),
         });
     }
-    terminal::scenes(&examination)
+    examination
 }
 
 #[test]
@@ -170,6 +177,30 @@ fn a_scene_counts_a_belief_only_if_a_row_above_spelled_it_out() {
     assert_eq!(told.matches("the belief above about").count(), 1, "{told}");
     // The second scene, which is explained already, gets no more lines.
     assert_eq!(told.matches("worst pixel").count(), 1, "{told}");
+}
+
+#[test]
+fn a_failing_scene_names_what_was_measured_in_a_task_that_passes() {
+    let judged = |t: f32| {
+        let cast = film(&[[0.0, t, 0.0, 0.0, 1.0]]);
+        FilmOutcome::from(&judge(&golden(&[[0.0, 2.0, 0.0, 0.0, 1.0]], 1e-3), &cast))
+    };
+    let told = |t| {
+        let mut examination = scene_examination(&[], &[]);
+        let task = &mut examination.outcome.tasks[0];
+        task.measured.push(Finding {
+            about: "t".into(),
+            says: "t is odd.".into(),
+            is_law: true,
+        });
+        task.groups[0].outcome = judged(t);
+        examination.outcome.add_up();
+        examination.films[0].needs.push("sphere".into());
+        terminal::scenes(&examination)
+    };
+    let said = "The task `sphere` passes, but: t is odd.";
+    assert_eq!(told(2.0).matches(said).count(), 1, "{}", told(2.0));
+    assert_eq!(told(3.0).matches(said).count(), 0, "{}", told(3.0));
 }
 
 #[test]

@@ -25,7 +25,20 @@ pub fn rows(text: &mut String, examination: &Examination, width: usize) {
     }
     for (scene, film) in outcome.scenes.iter().zip(films) {
         scene_rows(text, scene, film, width, &outcome.submission, &mut told);
+        if !scene.outcome.passes() {
+            for remark in remarks(examination, film) {
+                line(text, format!("    {remark}"));
+            }
+        }
     }
+}
+
+/// What is remarkable in the answers that a failing scene needs, although they pass their tasks.
+pub fn remarks(examination: &Examination, film: &SceneFilm) -> Vec<String> {
+    let suspects = examination.suspects(film).into_iter();
+    suspects
+        .map(|(task, finding)| format!("The task `{task}` passes, but: {}", finding.says))
+        .collect()
 }
 
 fn scene_rows(

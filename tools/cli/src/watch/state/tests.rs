@@ -171,6 +171,7 @@ impl Watch {
                         verdict: None,
                         rays: Default::default(),
                         tests: None,
+                        needs: Vec::new(),
                     });
                 }
             }

@@ -3,11 +3,16 @@
 use pinhole::part::Part;
 
 use super::claim::Claim;
-use super::sample::Sample;
+use super::sample::{QuestionsAndAnswers, Sample};
 use super::{Finding, LEAST, Measurement, capital};
 
 /// The sentence about the parts that have single precision, if any do.
-pub fn found(both: &[&Sample]) -> Option<Measurement> {
+pub fn found(films: &[QuestionsAndAnswers<'_>], both: &[&Sample]) -> Option<Measurement> {
+    // In other tasks, an answer may repeat a number of its question, and questions have single
+    // precision.
+    if !films.iter().all(|film| film.questions.kind().takes_shape()) {
+        return None;
+    }
     let described = both.first()?.right.as_ref()?;
     let parts: Vec<usize> = (0..described.len())
         .filter(|part| is_single(both, *part))
@@ -17,7 +22,7 @@ pub fn found(both: &[&Sample]) -> Option<Measurement> {
         finding: Finding {
             about: about.into(),
             says: format!(
-                "{} has only single precision in every answer: do you use `f32` somewhere?",
+                "{} has only single precision in every answer. Do you use `f32` somewhere?",
                 capital(about)
             ),
             is_law: true,

@@ -237,6 +237,18 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
 }
 
 #[test]
+fn single_precision_is_reported_even_if_every_answer_is_right() {
+    let said = said(|_, right| {
+        let t = f64::from(right.t as f32);
+        Some(Intersection { t, ..right })
+    });
+    assert!(
+        said[0].starts_with("t has only single precision"),
+        "{said:?}"
+    );
+}
+
+#[test]
 fn a_normal_that_is_the_questions_own_is_not_taken_for_rounded() {
     let said = said(|question, right| {
         let Shape::Plane(plane) = &question.shape else {
