@@ -85,37 +85,124 @@ pub fn refused(refusal: &Refusal, asked: &QuestionFilm, reply: &Reply) -> Vec<Fa
     facts.push(Fact::new("expected", expected));
     let got = reply.answers.get(index).copied().flatten();
     facts.extend(got.map(|got| Fact::new("got", answer(got))));
-    facts.push(Fact::new(
-        "note",
-        "0 / 0, ∞ − ∞ and the square root of a negative number are NaN; any other number / 0 is infinite",
-    ));
+    facts.push(Fact::new(NOTE, NOT_FINITE));
     facts
 }
+
+/// The label of a hint about an answer that failed.
+pub const NOTE: &str = "note";
+
+const NOT_FINITE: &str = "0 / 0, ∞ − ∞ and the square root of a negative number are NaN; any \
+                          other number / 0 is infinite";
+
+const STILL_WORKING: &str = "your code was still working on this question; do its loops and \
+                             recursive calls end?";
 
 /// The question that an answer did not get past: it panicked there, ended its process, or was still
 /// working when its time was up. Empty if that is unknown, or the answer is still `todo!`.
 pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
-    let (index, note) = match &reply.ending {
-        Ending::Panicked(panic) if !panic.is_unanswered() => (Some(panic.index), None),
-        Ending::TimedOut(_) => (
-            reply.still_at,
-            Some(
-                "your code was still working on this question; do its loops and recursive \
-                 calls end?",
-            ),
-        ),
-        Ending::Died(_) => (reply.still_at, None),
-        _ => (None, None),
-    };
-    match (index, asked.job.questions()) {
-        (Some(index), Some(questions)) if index < questions.len() => {
+    match (stopped_at(reply), asked.job.questions()) {
+        (Some((index, note)), Some(questions)) if index < questions.len() => {
             let mut facts = questions.describe(index, &asked.name, DIGITS);
-            facts.extend(note.map(|note| Fact::new("note", note)));
+            facts.extend(note.map(|note| Fact::new(NOTE, note)));
             facts
         }
         _ => Vec::new(),
     }
 }
 
+/// The place of the question that an answer did not get past, and a hint.
+fn stopped_at(reply: &Reply) -> Option<(usize, Option<&'static str>)> {
+    match &reply.ending {
+        Ending::Panicked(panic) if !panic.is_unanswered() => {
+            Some((panic.index, panic_note(&panic.message)))
+        }
+        Ending::TimedOut(_) => Some((reply.still_at?, Some(STILL_WORKING))),
+        Ending::Died(_) => Some((reply.still_at?, None)),
+        _ => None,
+    }
+}
+
+/// A hint about a panic that Rust itself words: it begins like this, or has these words in it.
+fn panic_note(message: &str) -> Option<&'static str> {
+    let notes = [
+        (
+            "on a `None` value",
+            "this value can be `None`, for instance if nothing is hit; handle that case with `?`, \
+             `if let` or `match`",
+        ),
+        (
+            "on an `Err` value",
+            "this value can be an error; handle that case with `if let` or `match`",
+        ),
+        (
+            "index out of bounds",
+            "the last index of a list is its length − 1, and an empty list has none",
+        ),
+        (
+            "out of range for slice",
+            "a range must end at the list's length or earlier",
+        ),
+        (
+            "with overflow",
+            "the result does not fit the integer's type: a `usize` cannot be negative, so convert \
+             to `f64` before you subtract",
+        ),
+        (
+            "attempt to divide by zero",
+            "an integer can't be divided by 0; is it the length of an empty list?",
+        ),
+        (
+            "with a divisor of zero",
+            "an integer can't be divided by 0; is it the length of an empty list?",
+        ),
+    ];
+    let note = notes.into_iter().find(|(words, _)| message.contains(words));
+    note.map(|(_, note)| note)
+}
+
 /// How many digits of a question's numbers to show if there is no wrong answer to compare.
 const DIGITS: usize = 6;
+
+#[cfg(test)]
+mod tests {
+    use std::hint::black_box;
+    use std::panic::catch_unwind;
+
+    use super::panic_note;
+
+    /// A hint about this panic.
+    fn note_on<T>(panics: fn() -> T) -> Option<&'static str> {
+        let panic = catch_unwind(|| drop(panics())).expect_err("it panics");
+        let text = panic.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| panic.downcast_ref::<&str>().map(|it| (*it).to_owned()));
+        panic_note(&text.expect("a panic has words"))
+    }
+
+    #[test]
+    fn a_panic_that_rust_words_gets_a_hint_of_its_own() {
+        let none = note_on(|| black_box(None::<f64>).unwrap());
+        assert!(none.is_some_and(|note| note.contains("`None`")), "{none:?}");
+        let error = note_on(|| black_box(Err::<f64, i32>(1)).unwrap());
+        assert!(
+            error.is_some_and(|note| note.contains("error")),
+            "{error:?}"
+        );
+        let index = note_on(|| black_box(Vec::<f64>::new())[black_box(0)]);
+        let range = note_on(|| black_box(vec![0.0])[..black_box(2)].len());
+        for list in [index, range] {
+            assert!(list.is_some_and(|note| note.contains("length")), "{list:?}");
+        }
+        let overflow = note_on(|| black_box(i32::MIN) / black_box(-1));
+        assert!(
+            overflow.is_some_and(|note| note.contains("fit")),
+            "{overflow:?}"
+        );
+        let quotient = note_on(|| 1 / black_box(0));
+        let remainder = note_on(|| 1 % black_box(0));
+        for zero in [quotient, remainder] {
+            assert!(zero.is_some_and(|note| note.contains("by 0")), "{zero:?}");
+        }
+        assert_eq!(note_on(|| panic!("the student's own words")), None);
+    }
+}
