@@ -1,12 +1,12 @@
 //! Describes the worst question of a film in words.
 
-use pinhole::Fact;
 use pinhole::ask::{Ending, Reply};
 use pinhole::film::TESTS;
 use pinhole::heat_map::sum;
 use pinhole::judge::{ChannelVerdict, Mismatch, Refusal, Verdict};
 use pinhole::report::digits_to_tell;
 use pinhole::words::number;
+use pinhole::{Fact, Pixel, Resolution};
 
 use crate::goldens::questions::QuestionFilm;
 
@@ -95,8 +95,8 @@ pub const NOTE: &str = "note";
 const NOT_FINITE: &str = "0 / 0, ∞ − ∞ and the square root of a negative number are NaN; any \
                           other number / 0 is infinite";
 
-const STILL_WORKING: &str = "your code was still working on this question; do its loops and \
-                             recursive calls end?";
+const STILL_WORKING: &str = "your code was still working on this; do its loops and recursive calls \
+                             end?";
 
 /// The question that an answer did not get past: it panicked there, ended its process, or was still
 /// working when its time was up. Empty if that is unknown, or the answer is still `todo!`.
@@ -108,6 +108,35 @@ pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
             facts
         }
         _ => Vec::new(),
+    }
+}
+
+/// A pixel without a usable answer: the code panicked there, was still working when its time was up,
+/// or gave a number that is not finite.
+#[derive(Clone, Copy, Debug)]
+pub struct UnansweredPixel {
+    /// The pixel.
+    pub pixel: Pixel,
+    /// A hint.
+    pub note: Option<&'static str>,
+}
+
+/// The first pixel of a scene without a usable answer, if that is known.
+pub fn unanswered_pixel(
+    reply: &Reply,
+    judged: Option<&Result<Verdict, Refusal>>,
+    resolution: Resolution,
+) -> Option<UnansweredPixel> {
+    match judged {
+        Some(Err(Refusal::NotFinite { pixel, .. })) => Some(UnansweredPixel {
+            pixel: *pixel,
+            note: Some(NOT_FINITE),
+        }),
+        Some(_) => None,
+        None => stopped_at(reply).map(|(index, note)| UnansweredPixel {
+            pixel: resolution.pixel(index),
+            note,
+        }),
     }
 }
 

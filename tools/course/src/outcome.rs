@@ -16,6 +16,7 @@ use pinhole::kind::CameraQuestion;
 use pinhole::{BoundingBox, Film, NodeBox};
 use serde::{Deserialize, Serialize};
 
+use crate::describe::UnansweredPixel;
 use crate::diagnosis::Diagnosis;
 use crate::diagnosis::measure::Finding;
 use crate::submission::flags::Flag;
@@ -115,6 +116,8 @@ pub struct SceneFilm {
     pub tests: Option<Film>,
     /// The tasks whose answers it needs.
     pub needs: Vec<String>,
+    /// Where the submission gave no usable answer, if that is why there is no verdict.
+    pub unanswered: Option<UnansweredPixel>,
 }
 
 /// What is known of the rays that a submission sends through the pixels of a scene.

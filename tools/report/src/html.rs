@@ -254,12 +254,17 @@ impl JudgedScene<'_> {
                 }
             }),
             scene: scene.as_ref(),
+            unanswered: cast.unanswered.map(|unanswered| unanswered.pixel),
             rays,
             own_rays: SubmittedRays::of(&cast.rays, rays.as_ref()),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
             remarks: match passes {
                 true => Vec::new(),
-                false => terminal::remarks(self.examination, cast),
+                false => {
+                    let note = terminal::note(cast).into_iter();
+                    note.chain(terminal::remarks(self.examination, cast))
+                        .collect()
+                }
             },
             command: format!(
                 "{} --scene {}",

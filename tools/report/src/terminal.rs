@@ -14,7 +14,7 @@ use anstyle::{AnsiColor, Style};
 
 use crate::escape::printable;
 use pinhole_course::outcome::{Examination, TaskOutcome};
-pub use scenes::{explain, remarks, worst_pixel};
+pub use scenes::{explain, note, remarks, worst_pixel};
 pub use words::{
     diagnosis, earlier_in_words, facts, group_in_words, no_answer, outcome, outcome_of,
     scene_in_words, share, share_of_what, task_in_words, withheld_in_words,

@@ -13,8 +13,9 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::explanation::{Mitsuba, PixelAsker};
 use pinhole_course::goldens::Goldens;
-use pinhole_course::outcome::{AnswerFile, Outcome, TaskOutcome};
+use pinhole_course::outcome::{AnswerFile, Examination, Outcome, TaskOutcome};
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::RunOptions;
 use pinhole_course::sandbox::{Choice, Sandbox};
@@ -144,7 +145,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
                 let pack = zip.unwrap_or(finish.pack);
                 show_finish(&Finish { pack, ..finish }, &checkout.scratch())?;
             }
-            None => show_next(&assignment, &submission, outcome),
+            None => show_next(&examiner, &submission, &examination)?,
         }
         if arguments.timings {
             anstream::print!("\n{}", Timings::so_far());
@@ -162,15 +163,56 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
 }
 
 /// Prints the file to edit next. It belongs to the task to begin with, if that lacks points, or
-/// else to the first task that does.
-fn show_next(assignment: &Assignment, submission: &Submission, outcome: &Outcome) {
-    let failing = || outcome.tasks.iter().filter(|task| !task.passes());
-    let start = failing().find(|task| task.name == assignment.start);
-    let next = start.or_else(|| failing().next());
-    let place = next.and_then(|task| submission.place_to_edit(&task.name, task.line()));
+/// else to the first task that does. If none does, it belongs to the task that makes a scene fail.
+fn show_next(
+    examiner: &Examiner,
+    submission: &Submission,
+    examination: &Examination,
+) -> Result<()> {
+    let tasks = examination.outcome.tasks.iter();
+    let failing = || tasks.clone().filter(|task| !task.passes());
+    let start = failing().find(|task| task.name == examiner.assignment.start);
+    let next = match start.or_else(|| failing().next()) {
+        Some(task) => Some((task.name.clone(), task.line())),
+        None => task_at_fault(examiner, examination)?.map(|task| (task, None)),
+    };
+    let place = next.and_then(|(task, line)| submission.place_to_edit(&task, line));
     if let Some(place) = place {
         anstream::println!("edit: {}", printable(&place));
     }
+    Ok(())
+}
+
+/// The task that makes a scene fail, as far as the first failing scene shows it: by what was
+/// measured in its answers, or by the scene's first pixel without a usable answer, or its worst.
+fn task_at_fault(examiner: &Examiner, examination: &Examination) -> Result<Option<String>> {
+    let scenes = examination.outcome.scenes.iter().zip(&examination.films);
+    let mut failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
+    let Some((_, film)) = failing.next() else {
+        return Ok(None);
+    };
+    if let Some((task, _)) = examination.suspects(film).first() {
+        return Ok(Some((*task).to_owned()));
+    }
+    let unanswered = film.unanswered.map(|unanswered| unanswered.pixel);
+    let worst = || {
+        let (_, pixel) = terminal::worst_pixel(&film.verdict.as_ref()?.channels)?;
+        Some(pixel)
+    };
+    let Some(pixel) = unanswered.or_else(worst) else {
+        return Ok(None);
+    };
+    let (scene, golden) = examiner.assignment.find_scene(&film.argument)?;
+    let asker = PixelAsker {
+        program: examiner.program,
+        sandbox: examiner.sandbox,
+        assignment: examiner.assignment,
+        wall: examiner.wall,
+    };
+    let mitsuba = Mitsuba::read(golden, scene.resolution.index(pixel))?;
+    let explanation = asker.explain(&scene, pixel, mitsuba)?;
+    let task = explanation.task_at_fault(&scene.objects, examiner.assignment);
+    Ok(task.map(|task| task.name.clone()))
 }
 
 /// What to know before handing in: which answers are still stubs and, if everything was judged, the

@@ -193,6 +193,7 @@ fn film_report(
                 .ok()
                 .and_then(|film| HeatMaps::beside(golden.film(), film)),
             scene: scene.as_ref(),
+            unanswered: None,
             rays: html::rays_beside(&arguments.golden),
             own_rays: SubmittedRays::Unknown,
             beliefs: Beliefs::of(diagnosis, &[]),

@@ -9,6 +9,7 @@ use pinhole::kind::{CameraQuestion, Questions};
 
 use super::Examiner;
 use crate::assignment::Task;
+use crate::describe;
 use crate::error::Result;
 use crate::goldens::GoldenScene;
 use crate::goldens::questions::QuestionFilm;
@@ -127,10 +128,11 @@ impl Examiner<'_> {
             .iter()
             .filter(|task| film.job.needs(task.kind, task.shape));
         let start = Instant::now();
-        let (outcome, printed, judged, tests) = match late.next() {
+        let (mut tests, mut unanswered) = (None, None);
+        let (outcome, printed, judged) = match late.next() {
             Some(task) => {
                 let by = task.name.clone();
-                (FilmOutcome::Blocked { by }, String::new(), None, None)
+                (FilmOutcome::Blocked { by }, String::new(), None)
             }
             None => {
                 let reply = match cast {
@@ -138,8 +140,13 @@ impl Examiner<'_> {
                     None => self.ask_whole(&scene.name, &film.job)?,
                 };
                 let judged = self.judge(&reply, &film, None)?;
-                let tests = reply.own_tests(film.resolution);
-                (judged.outcome.clone(), reply.printed, Some(judged), tests)
+                tests = reply.own_tests(film.resolution);
+                // Like the question at which an answer stopped, see `Examiner::task`.
+                if self.interactive {
+                    let judged = judged.verdict.as_ref();
+                    unanswered = describe::unanswered_pixel(&reply, judged, film.resolution);
+                }
+                (judged.outcome.clone(), reply.printed, Some(judged))
             }
         };
         let seconds = cast.is_none().then(|| start.elapsed().as_secs_f64());
@@ -165,6 +172,7 @@ impl Examiner<'_> {
             rays,
             tests,
             needs: needs.map(|task| task.name.clone()).collect(),
+            unanswered,
         };
         Ok((outcome, film, printed))
     }

@@ -2,7 +2,7 @@
 
 use pinhole::{Hit, Intersection, Kind, Ray, Shape, ShapeKind};
 
-use super::PixelExplanation;
+use super::{AnswerResult, PixelExplanation};
 use crate::assignment::{Assignment, Task};
 
 /// An explanation calls two numbers different only if they differ by more than this share of
@@ -57,6 +57,15 @@ impl PixelExplanation {
         if same_hit(found, &mitsuba.hit) {
             return None;
         }
+        let lost = |said: &AnswerResult<Option<Hit>>| {
+            let hit = said.as_ref().ok().copied().flatten();
+            hit.is_some_and(|Hit { intersection, .. }| {
+                !(intersection.t.is_finite() && intersection.normal.is_finite())
+            })
+        };
+        if let Some(k) = self.candidates.iter().position(lost) {
+            return Some(of_object(Some(k)));
+        }
         // The object that should be seen is at fault if its own answer is wrong. Otherwise, the
         // fault lies with an object that claims to be nearer.
         let wrong = match (mitsuba.hit, found) {
@@ -106,7 +115,7 @@ fn same_hit(one: &Option<Hit>, other: &Option<Hit>) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explanation::{AnswerResult, Mitsuba, NoAnswer};
+    use crate::explanation::{Mitsuba, NoAnswer};
     use crate::outcome::FilmOutcome;
     use glam::DVec3;
     use pinhole::{Plane, Sphere};
@@ -170,6 +179,7 @@ mod tests {
         assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), sphere);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))), first_hit);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), first_hit);
+        assert_eq!(at_fault(Ok(RAY), hit(0, f64::NAN), Ok(hit(1, 5.0))), sphere);
         let unanswered = Err(NoAnswer::Failed(FilmOutcome::Unanswered));
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), unanswered), first_hit);
     }

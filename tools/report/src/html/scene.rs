@@ -36,6 +36,8 @@ pub struct Evidence<'a> {
     pub heat: Option<HeatMaps>,
     /// The scene that the film shows, if it is known.
     pub scene: Option<&'a Scene>,
+    /// A pixel without a usable answer.
+    pub unanswered: Option<Pixel>,
     pub rays: Option<RayGrid>,
     pub own_rays: SubmittedRays,
     pub beliefs: Option<Beliefs>,
@@ -188,7 +190,7 @@ impl SceneSection {
             command: evidence.command,
             explain: evidence
                 .explain
-                .filter(|_| comparable.is_some())
+                .filter(|_| comparable.is_some() || evidence.unanswered.is_some())
                 .map(|[before, after]| format!("{before} {} {}{after}", start.i, start.j)),
             name: evidence.name,
         }
@@ -224,7 +226,11 @@ fn start(evidence: &Evidence, wrong: Option<&PixelCauses>) -> Pixel {
         let failing = wrong?.causes.iter().position(Option::is_some)?;
         Some(evidence.golden.film().resolution().pixel(failing))
     };
-    worst.or_else(first).unwrap_or(Pixel { i: 0, j: 0 })
+    let unanswered = evidence.unanswered;
+    worst
+        .or(unanswered)
+        .or_else(first)
+        .unwrap_or(Pixel { i: 0, j: 0 })
 }
 
 fn cut(whole: &RgbImage, window: Window, fits: bool) -> RgbImage {

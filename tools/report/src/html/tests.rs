@@ -5,6 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use hmac_sha256::Hash;
 use pinhole::Fact;
 use pinhole::judge::judge;
+use pinhole_course::describe::UnansweredPixel;
 use pinhole_course::diagnosis::measure::Finding;
 use pinhole_course::diagnosis::{Diagnosis, Explanation, Reading};
 use pinhole_course::outcome::{AnswerFile, GroupOutcome, TaskOutcome};
@@ -161,6 +162,7 @@ fn scene_examination(of_task: &[Explanation], of_scenes: &[Explanation]) -> Exam
             rays: Default::default(),
             tests: None,
             needs: Vec::new(),
+            unanswered: None,
         });
     }
     examination
@@ -201,6 +203,32 @@ fn a_failing_scene_names_what_was_measured_in_a_task_that_passes() {
     let said = "The task `sphere` passes, but: t is odd.";
     assert_eq!(told(2.0).matches(said).count(), 1, "{}", told(2.0));
     assert_eq!(told(3.0).matches(said).count(), 0, "{}", told(3.0));
+}
+
+#[test]
+fn a_scene_without_a_film_says_at_which_pixel_and_gives_a_hint_once() {
+    let mut examination = scene_examination(&[], &[]);
+    for (k, scene) in examination.outcome.scenes.iter_mut().enumerate() {
+        scene.outcome = FilmOutcome::TimedOut {
+            seconds: 2.0,
+            whole: false,
+        };
+        examination.films[k].film = None;
+        examination.films[k].unanswered = Some(UnansweredPixel {
+            pixel: pinhole::Pixel { i: k, j: 7 },
+            note: Some("do its loops end?"),
+        });
+    }
+    let told = terminal::scenes(&examination);
+    for part in [
+        "gave no answer",
+        "the same",
+        "explain one 0 7",
+        "explain two 1 7",
+        "note: do",
+    ] {
+        assert_eq!(told.matches(part).count(), 1, "{part}: {told}");
+    }
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use pinhole::Pixel;
 use pinhole::judge::ChannelVerdict;
 
 use super::words::{diagnosis, scene_in_words, share};
@@ -20,17 +21,28 @@ pub fn rows(text: &mut String, examination: &Examination, width: usize) {
         line(text, heading("scene", width));
     }
     let mut told: BTreeSet<String> = BTreeSet::new();
+    let mut failures: Vec<String> = Vec::new();
     for task in &outcome.tasks {
         told.extend(task.diagnosis.beliefs.iter().map(|held| held.slug.clone()));
     }
     for (scene, film) in outcome.scenes.iter().zip(films) {
-        scene_rows(text, scene, film, width, &outcome.submission, &mut told);
+        let said = failure_in_words(scene, &mut failures);
+        let points = (scene.points, scene.possible);
+        row(text, &scene.name, width, points, said);
+        scene_rows(text, scene, film, &outcome.submission, &mut told);
         if !scene.outcome.passes() {
-            for remark in remarks(examination, film) {
+            let note = note(film).filter(|note| told.insert(note.clone()));
+            for remark in note.into_iter().chain(remarks(examination, film)) {
                 line(text, format!("    {remark}"));
             }
         }
     }
+}
+
+/// A hint about the pixel without a usable answer.
+pub fn note(film: &SceneFilm) -> Option<String> {
+    let note = film.unanswered?.note?;
+    Some(format!("note: {note}"))
 }
 
 /// What is remarkable in the answers that a failing scene needs, although they pass their tasks.
@@ -45,12 +57,13 @@ fn scene_rows(
     text: &mut String,
     scene: &SceneOutcome,
     film: &SceneFilm,
-    width: usize,
     submission: &str,
     told: &mut BTreeSet<String>,
 ) {
-    let points = (scene.points, scene.possible);
-    row(text, &scene.name, width, points, scene_in_words(scene));
+    let look_at = |why: &str, Pixel { i, j }: Pixel| {
+        let [before, after] = explain(&film.argument, submission);
+        format!("    {QUIET}{why}: {before} {i} {j}{after}{QUIET:#}")
+    };
     // Leave out the channels if a belief from a row above explains all that is wrong here.
     let mut beliefs = scene.diagnosis.beliefs.iter();
     let is_explained = beliefs.any(|held| held.explained >= 1.0 && told.contains(&held.slug));
@@ -66,15 +79,12 @@ fn scene_rows(
             .map(ToString::to_string);
         indent(text, &rows.collect::<Vec<_>>().join("\n"));
         scene_diagnosis(text, &scene.diagnosis, told);
-        let (i, j) = (mismatch.i, mismatch.j);
-        let [before, after] = explain(&film.argument, submission);
-        let command = format!("{before} {i} {j}{after}");
+        let worst = format!("worst pixel in {}", channel.name);
+        line(text, look_at(&worst, mismatch));
+    } else if let Some(unanswered) = film.unanswered {
         line(
             text,
-            format!(
-                "    {QUIET}worst pixel in {}: {command}{QUIET:#}",
-                channel.name
-            ),
+            look_at("no usable answer at this pixel", unanswered.pixel),
         );
     }
 }
@@ -90,6 +100,24 @@ pub fn explain(scene: &str, submission: &str) -> [String; 2] {
         format!("{PINHOLE} explain {}", printable_word(scene)),
         option,
     ]
+}
+
+/// A scene in one line. A failure that a row above has spelled out is "the same".
+fn failure_in_words(scene: &SceneOutcome, failures: &mut Vec<String>) -> String {
+    let said = scene_in_words(scene);
+    if matches!(
+        scene.outcome,
+        FilmOutcome::Judged(_) | FilmOutcome::Blocked { .. }
+    ) {
+        return said;
+    }
+    match failures.contains(&said) {
+        true => "the same".into(),
+        false => {
+            failures.push(said.clone());
+            said
+        }
+    }
 }
 
 /// If a row above has already spelled out a belief, this gives only its share.

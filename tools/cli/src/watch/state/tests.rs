@@ -172,6 +172,7 @@ impl Watch {
                         rays: Default::default(),
                         tests: None,
                         needs: Vec::new(),
+                        unanswered: None,
                     });
                 }
             }
