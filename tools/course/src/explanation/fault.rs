@@ -140,6 +140,16 @@ mod tests {
         sphere: Option<Hit>,
         first: AnswerResult<Option<Hit>>,
     ) -> Option<(Kind, Option<ShapeKind>)> {
+        at_fault_if(hit(0, 2.0), ray, sphere, first)
+    }
+
+    /// The same, if this hit is right.
+    fn at_fault_if(
+        expected: Option<Hit>,
+        ray: AnswerResult<Ray>,
+        sphere: Option<Hit>,
+        first: AnswerResult<Option<Hit>>,
+    ) -> Option<(Kind, Option<ShapeKind>)> {
         let objects = [
             Shape::Sphere(Sphere {
                 center: DVec3::NEG_Z * 3.0,
@@ -157,7 +167,7 @@ mod tests {
             nearest: first,
             mitsuba: Some(Mitsuba {
                 ray: RAY,
-                hit: hit(0, 2.0),
+                hit: expected,
             }),
             printed: Default::default(),
         };
@@ -179,7 +189,11 @@ mod tests {
         assert_eq!(at_fault(Ok(RAY), None, Ok(hit(1, 5.0))), sphere);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(hit(1, 5.0))), first_hit);
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), Ok(None)), first_hit);
-        assert_eq!(at_fault(Ok(RAY), hit(0, f64::NAN), Ok(hit(1, 5.0))), sphere);
+        let lost = || hit(0, f64::NAN);
+        assert_eq!(
+            at_fault_if(hit(1, 5.0), Ok(RAY), lost(), Ok(lost())),
+            sphere
+        );
         let unanswered = Err(NoAnswer::Failed(FilmOutcome::Unanswered));
         assert_eq!(at_fault(Ok(RAY), hit(0, 2.0), unanswered), first_hit);
     }
