@@ -3,10 +3,12 @@
 
 use super::order::Item;
 use super::state::State;
+use pinhole_course::describe::NOTE;
 use pinhole_course::diagnosis::Diagnosis;
 use pinhole_course::mistake::Mistake;
 use pinhole_course::outcome::{AnswerFile, TaskOutcome};
 use pinhole_report::passage::Passage;
+use pinhole_report::terminal::note;
 
 /// The hints for what is shown, each stronger than the one before. Empty if nothing is wrong.
 pub fn of(state: &State) -> Vec<String> {
@@ -36,26 +38,26 @@ fn on_task(task: &TaskOutcome) -> Vec<String> {
         let look = "look: the comment above the function says what comes in and what goes out";
         return vec![look.into(), read];
     }
+    let notes = failing.worst.iter().filter(|fact| fact.label == NOTE);
+    let notes = notes.map(|fact| format!("note: {}", fact.text));
     let look = format!("look: `{}` asks about {}", failing.name, failing.about);
     let think = "think: work through the question above with a pencil; which step is the first \
                  whose result you did not expect?";
-    vec![look, think.into(), read]
+    notes.chain([look, think.into(), read]).collect()
 }
 
 fn on_scenes(state: &State) -> Vec<String> {
-    let failing = state
-        .known
-        .outcome
-        .scenes
-        .iter()
-        .find(|scene| !scene.outcome.passes());
-    match failing {
+    let scenes = state.known.outcome.scenes.iter().zip(&state.known.films);
+    let mut failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
+    match failing.next() {
         None => Vec::new(),
-        Some(scene) if !scene.diagnosis.is_empty() => known(&scene.diagnosis),
-        Some(_) => vec![
-            "look: `explain` shows what each of your answers returns for one pixel".into(),
-            "think: which answer is the first whose result you did not expect?".into(),
-        ],
+        Some((scene, _)) if !scene.diagnosis.is_empty() => known(&scene.diagnosis),
+        Some((_, film)) => {
+            let look = "look: `explain` shows what each of your answers returns for one pixel";
+            let think = "think: which answer is the first whose result you did not expect?";
+            let note = note(film).into_iter();
+            note.chain([look.into(), think.into()]).collect()
+        }
     }
 }
 

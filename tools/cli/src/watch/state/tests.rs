@@ -1,3 +1,4 @@
+use pinhole::Fact;
 use pinhole::judge::{Golden, judge};
 
 use super::*;
@@ -323,6 +324,18 @@ fn each_press_shows_another_hint_and_a_save_hides_them() {
     }
     watch.save(&["sphere"]);
     assert_eq!(watch.state.hints, 0);
+}
+
+#[test]
+fn the_first_hint_on_a_panic_or_an_endless_loop_is_the_one_about_it() {
+    let mut watch = Watch::with_wrong(&["sphere"]);
+    let mut tasks = watch.state.known.outcome.tasks.iter_mut();
+    let sphere = tasks.find(|task| task.name == "sphere");
+    let group = &mut sphere.expect("it was judged").groups[0];
+    group.worst.push(Fact::new("note", "do its loops end?"));
+    let all = hints::of(&watch.state);
+    assert_eq!(all[0], "note: do its loops end?");
+    assert!(all[1].contains("`outside` asks about rays"), "{all:?}");
 }
 
 #[test]
