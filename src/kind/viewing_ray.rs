@@ -136,7 +136,7 @@ impl Question for CameraQuestion {
         };
         Some(vec![
             Part {
-                name: "the ray's point on the image plane",
+                name: "the point where the ray's line meets the image plane",
                 values: vec![across_u * per_unit[0], across_v * per_unit[1]],
                 axes: &["u", "v"],
                 unit: " pixels",

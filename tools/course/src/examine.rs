@@ -32,6 +32,7 @@ pub use asking::{Clock, KnownReplies, run};
 use diagnose::Cast;
 pub use diagnose::asked;
 pub use judged_film::failure;
+use judged_film::without_overflows;
 
 /// The most bytes that are shown of an answer's output for one question.
 const MOST_PRINTED_BY_ONE: usize = 1000;
@@ -132,7 +133,7 @@ impl Examiner<'_> {
             printed.push(text);
         }
         // Each process may print this much. The output of all together is cut to the same length.
-        let mut printed = printed.concat();
+        let mut printed = without_overflows(&printed.concat());
         printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
         let folder = submission.folder.display().to_string();
         let mut outcome = Outcome {

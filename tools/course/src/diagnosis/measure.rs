@@ -460,6 +460,7 @@ impl<'a> PartFinding<'a> {
             }
             Claim::Count => match self.lost() {
                 0 => format!("{about} {is} {wrong} {of}{excess}."),
+                lost if lost == some => format!("{about} {is} infinite or not a number {of}."),
                 lost => format!(
                     "{about} {is} wrong {of}; in {lost} of these, {it} {is} infinite or not a \
                      number."

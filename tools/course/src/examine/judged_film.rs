@@ -131,6 +131,22 @@ pub fn failure(reply: &Reply, program: &Program, task: Option<&str>) -> Option<F
     })
 }
 
+/// What an answer printed, without Rust's own message about an overflow of the stack. Every process
+/// of such an answer would repeat this message, and they would hide the student's own words.
+pub(super) fn without_overflows(printed: &str) -> String {
+    let mut kept: Vec<&str> = Vec::new();
+    for line in printed.split_inclusive('\n') {
+        let words = line.trim_end();
+        if words.starts_with("thread '") && words.ends_with("has overflowed its stack") {
+            // Rust begins its message with an empty line.
+            kept.pop_if(|last| *last == "\n");
+        } else if words != "fatal runtime error: stack overflow, aborting" {
+            kept.push(line);
+        }
+    }
+    kept.concat()
+}
+
 /// At most this many characters of a program's last words are shown.
 const MOST_LAST_WORDS: usize = 200;
 
@@ -156,5 +172,18 @@ fn panicked(panic: &Panic, program: &Program, task: Option<&str>) -> FilmOutcome
             file: panic.file.clone(),
             line: panic.line,
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::without_overflows;
+
+    #[test]
+    fn an_overflow_of_the_stack_hides_nothing_that_the_student_printed() {
+        let overflow = "\nthread '<unknown>' (26959) has overflowed its stack\n\
+                        fatal runtime error: stack overflow, aborting\n";
+        let printed = format!("t = 1\n\n{overflow}{overflow}t = 2\n");
+        assert_eq!(without_overflows(&printed), "t = 1\n\nt = 2\n");
     }
 }

@@ -237,6 +237,16 @@ fn single_precision_is_recognised_by_the_numbers_themselves() {
 }
 
 #[test]
+fn a_part_that_is_never_finite_is_reported_in_few_words() {
+    let said = said(|_, right| {
+        let normal = DVec3::NAN;
+        Some(Intersection { normal, ..right })
+    });
+    let normal = "The normal is infinite or not a number in all 200 hits.";
+    assert!(said.iter().any(|it| it == normal), "{said:?}");
+}
+
+#[test]
 fn single_precision_is_reported_even_if_every_answer_is_right() {
     let said = said(|_, right| {
         let t = f64::from(right.t as f32);

@@ -1,6 +1,6 @@
 //! Puts measurements into sentences.
 
-use pinhole::part::Quantity;
+use pinhole::part::{Part, Quantity};
 use pinhole::words::number;
 
 use super::law::{AxisLaw, Law, PartLaw};
@@ -22,7 +22,13 @@ pub fn law(law: &PartLaw, part: usize, sample: &Sample, several: bool) -> String
     }
     let described = sample.right.as_ref().map(|parts| &parts[part]);
     let (unit, axes) = described.map_or(("", &[][..]), |part| (part.unit, part.axes));
+    let is_object = described.is_some_and(Part::is_object);
     match law {
+        // "The object is the last one", but "t is that of the last one".
+        PartLaw::Whole(Law::Other(k)) if is_object => {
+            let name = sample.others[*k].0;
+            format!("is {}", name.strip_prefix("that of ").unwrap_or(name))
+        }
         PartLaw::Whole(law) => one(*law, sample, unit, axes),
         PartLaw::Length(Law::Always(length)) => format!("has length {}", number(*length, DIGITS)),
         PartLaw::Length(Law::Quantity(by, k)) => {
