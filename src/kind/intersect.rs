@@ -46,6 +46,7 @@ impl Question for ShapeQuestion {
         let mut quantities = Quantity::of_ray(&self.ray, self.min_t);
         quantities.extend(self.shape.quantities(&self.ray));
         quantities.push(Quantity::new("t", right.t()));
+        quantities.push(Quantity::new("t − min_t", right.t() - self.min_t));
         quantities
     }
 

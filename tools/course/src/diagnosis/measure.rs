@@ -235,7 +235,11 @@ fn decisions(samples: &[Sample]) -> Vec<Measurement> {
                 let each = rule.each(&wrong, &found_rightly);
                 let says = match (rule.scope, misses) {
                     (Scope::Exactly, true) => {
-                        format!("{counted}: {nearly}exactly those where {place}.")
+                        let bound = match nearly.is_empty() && rule.is_fixed_bound(wrong[0]) {
+                            true => " Your code may compare it with a fixed bound.",
+                            false => "",
+                        };
+                        format!("{counted}: {nearly}exactly those where {place}.{bound}")
                     }
                     (Scope::Exactly | Scope::Everywhere, _) => {
                         format!("{counted}. In {each} of them, {place}.")

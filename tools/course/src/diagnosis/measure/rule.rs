@@ -70,6 +70,16 @@ impl Rule {
         self.literals.iter().all(|literal| literal.holds(sample))
     }
 
+    /// Whether it is one bound on one quantity. A count has natural bounds, and 0 is one too.
+    pub fn is_fixed_bound(&self, sample: &Sample) -> bool {
+        match self.literals.as_slice() {
+            [Literal::Below(k, bound) | Literal::Above(k, bound)] => {
+                !sample.quantities[*k].is_count && *bound != 0.0
+            }
+            _ => false,
+        }
+    }
+
     /// Whether it separates the wrong samples from the right ones, with at most one exception in
     /// a hundred.
     pub fn separates(&self, wrong: &[&Sample], right: &[&Sample]) -> bool {

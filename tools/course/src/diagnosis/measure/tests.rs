@@ -201,7 +201,8 @@ fn a_fixed_bound_is_reported_with_its_number() {
         let along = question.ray.direction.dot(plane.normal).abs();
         (along >= 1.0).then_some(right)
     });
-    let place = "exactly those where |d · n| is less than 1.";
+    let place = "exactly those where |d · n| is less than 1. \
+                 Your code may compare it with a fixed bound.";
     assert!(said[0].ends_with(place), "{said:?}");
 }
 
