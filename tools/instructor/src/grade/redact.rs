@@ -159,6 +159,7 @@ fn redact_pictures(section: &mut SceneSection, reveal: Reveal) {
     if reveal < Reveal::Full {
         section.viewer = None;
         section.channels.clear();
+        section.remarks.clear();
     }
     if reveal < Reveal::Picture {
         section.expected = None;

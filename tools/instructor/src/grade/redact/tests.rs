@@ -167,7 +167,9 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             scene: None,
             rays: None,
             own_rays: SubmittedRays::Unknown,
+            unanswered: None,
             beliefs: None,
+            remarks: vec!["note: the code chose which".into()],
             command: String::new(),
             explain: None,
         };
@@ -197,6 +199,9 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             let shows = !withheld.any() || reveal >= Reveal::Picture;
             assert_eq!(has_pictures(0), (shows, shows), "{reveal:?}");
             assert_eq!(has_pictures(1), (true, true), "{reveal:?}");
+            let has_remark = |scene: usize| !report.scenes[scene].remarks.is_empty();
+            let shows = !withheld.any() || reveal == Reveal::Full;
+            assert_eq!([has_remark(0), has_remark(1)], [shows, true], "{reveal:?}");
             let printed = (report.printed.is_empty(), report.more_printed == 0);
             assert_eq!(printed, (withheld.any(), withheld.any()), "{reveal:?}");
         }
