@@ -63,7 +63,7 @@ impl TreeQuestion {
             ),
             (
                 Cut::Mixed,
-                "have children whose triangles' centres overlap along every axis",
+                "have children whose triangles' centres aren't separated along any axis",
             ),
             (
                 Cut::OffMiddle,

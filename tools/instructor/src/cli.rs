@@ -58,7 +58,7 @@ impl Command {
 /// Each path is a submission (a folder, .zip or .tar.gz with the answer files), a folder of
 /// submissions, or a learning platform's export of a class. The result and the report of each
 /// submission are written to OUT/submissions, and the results of the whole class to OUT/grades.csv
-/// and OUT/class.html. All code runs in a sandbox.
+/// and OUT/class.html. All code runs in a sandbox, unless you turn it off.
 ///
 /// You can stop `grade` at any time and run it again. It continues where it left off, and
 /// regrades only what has changed. Submissions that can't be graded because the machine or Pinhole
@@ -75,8 +75,8 @@ impl Command {
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
 /// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// also makes random scenes. If a scene needs only tasks that these need, and a larger share of
-/// them passes, that share is its limit instead.
+/// also makes random scenes. If a larger share of these passes, and they need all the tasks that a
+/// scene needs, that share is the scene's limit instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -200,7 +200,7 @@ pub struct Merge {
     pub shards: Vec<PathBuf>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Write the whole class to this folder
+    /// Write the results of the whole class to this folder
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Apply this policy.toml instead of the one that the parts were graded with

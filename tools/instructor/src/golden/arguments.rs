@@ -50,7 +50,8 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Recompute what each known mistake changes in existing goldens; doesn't need Mitsuba
+/// Recompute how each known mistake changes the films that existing goldens judge; doesn't need
+/// Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
 /// recognise the mistake. `golden render` does this too. Use this command when you have added or

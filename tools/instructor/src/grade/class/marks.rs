@@ -89,8 +89,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "groups with the id or login of somebody else, who gets what is handed in under that \
-             name; rename them in the table of groups",
+            "groups whose name is somebody else's id or login, so that this person gets what is \
+             handed in under that name; rename these groups in the table of groups",
             true,
             policy.misnamed_groups(people),
         ),

@@ -33,7 +33,8 @@ pub enum Format {
     Canvas,
     /// moodle.csv in the --out folder: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in the --out folder: the reports, packed for Canvas, for Moodle, and by id
+    /// feedback*.zip in the --out folder: the reports, packed once for Canvas, once for
+    /// Moodle, and once in a folder for each id
     Feedback,
 }
 
