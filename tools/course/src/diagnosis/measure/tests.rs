@@ -50,6 +50,32 @@ fn hit(intersection: Intersection) -> Option<Hit> {
     })
 }
 
+/// Questions from this index on, with right and given answers. Only some of the rays may hit
+/// anything.
+fn group(
+    from: usize,
+    is_hit: impl Fn(&ShapeQuestion) -> bool,
+    answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>,
+) -> (Questions, Vec<Option<Answer>>, Golden) {
+    let questions: Vec<ShapeQuestion> = (from..from + COUNT).map(question).collect();
+    let right_hit = |it: &ShapeQuestion| hit(right(it)).filter(|_| is_hit(it));
+    let hits: Vec<Option<Hit>> = questions.iter().map(right_hit).collect();
+    let resolution = Resolution { n_x: COUNT, n_y: 1 };
+    let channels = HIT_CHANNELS.map(|name| Channel {
+        name: name.into(),
+        samples: vec![1e-5; COUNT],
+    });
+    let tolerance = Film::new(resolution, channels.into());
+    let golden = Golden::new(Film::of_hits(resolution, &hits), tolerance);
+    let given = |it: &ShapeQuestion| Some(Answer::Hit(answer(it, right(it)).and_then(hit)));
+    let answers: Vec<Option<Answer>> = questions.iter().map(given).collect();
+    (
+        Questions::Intersect(questions),
+        answers,
+        golden.expect("they belong together"),
+    )
+}
+
 /// The sentences about these answers. They must hold for other questions, too.
 fn said(answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>) -> Vec<String> {
     said_if(|_| true, answer)
@@ -60,25 +86,7 @@ fn said_if(
     is_hit: impl Fn(&ShapeQuestion) -> bool,
     answer: impl Fn(&ShapeQuestion, Intersection) -> Option<Intersection>,
 ) -> Vec<String> {
-    let of = |from: usize| {
-        let questions: Vec<ShapeQuestion> = (from..from + COUNT).map(question).collect();
-        let right_hit = |it: &ShapeQuestion| hit(right(it)).filter(|_| is_hit(it));
-        let hits: Vec<Option<Hit>> = questions.iter().map(right_hit).collect();
-        let resolution = Resolution { n_x: COUNT, n_y: 1 };
-        let channels = HIT_CHANNELS.map(|name| Channel {
-            name: name.into(),
-            samples: vec![1e-5; COUNT],
-        });
-        let tolerance = Film::new(resolution, channels.into());
-        let golden = Golden::new(Film::of_hits(resolution, &hits), tolerance);
-        let given = |it: &ShapeQuestion| Some(Answer::Hit(answer(it, right(it)).and_then(hit)));
-        let answers: Vec<Option<Answer>> = questions.iter().map(given).collect();
-        (
-            Questions::Intersect(questions),
-            answers,
-            golden.expect("they belong together"),
-        )
-    };
+    let of = |from: usize| group(from, &is_hit, &answer);
     let (public, fresh) = (of(0), of(1000));
     let asked = |(questions, answers, golden): &'_ (Questions, Vec<Option<Answer>>, Golden)| {
         measure(&[QuestionsAndAnswers {
@@ -249,14 +257,26 @@ fn a_part_that_is_never_finite_is_reported_in_few_words() {
 
 #[test]
 fn single_precision_is_reported_even_if_every_answer_is_right() {
-    let said = said(|_, right| {
-        let t = f64::from(right.t as f32);
-        Some(Intersection { t, ..right })
-    });
+    let says = |round: fn(f64) -> f64| {
+        let answer = |_: &ShapeQuestion, right: Intersection| {
+            let t = round(right.t);
+            Some(Intersection { t, ..right })
+        };
+        let (questions, answers, golden) = group(0, |_| true, answer);
+        let found = single_precision(&[QuestionsAndAnswers {
+            questions: &questions,
+            answers: &answers,
+            tallies: &[],
+            golden: &golden,
+        }]);
+        found.map(|it| it.finding.says)
+    };
+    let rounded = says(|t| f64::from(t as f32)).expect("t is rounded");
     assert!(
-        said[0].starts_with("t has only single precision"),
-        "{said:?}"
+        rounded.starts_with("t has only single precision"),
+        "{rounded}"
     );
+    assert_eq!(says(|t| t), None);
 }
 
 #[test]
