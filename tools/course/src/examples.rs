@@ -216,7 +216,7 @@ impl Entry {
         let asked = all.get(group).ok_or_else(|| {
             let names: Vec<&str> = all.keys().copied().collect();
             Error::input(
-                format!("there is no group `{group}` of public questions"),
+                format!("`{group}` is not a group of public questions"),
                 format!("name one of: {}", names.join(", ")),
             )
         })?;

@@ -116,7 +116,7 @@ pub struct SceneFilm {
     pub tests: Option<Film>,
     /// The tasks whose answers it needs.
     pub needs: Vec<String>,
-    /// Where the submission gave no usable answer, if that is why there is no verdict.
+    /// The pixel without a usable answer, if the film was not judged for that reason.
     pub unanswered: Option<UnansweredPixel>,
 }
 

@@ -128,7 +128,7 @@ pub fn names() -> Vec<String> {
 /// A scene of the assignment, or one of the [`grids`].
 ///
 /// # Panics
-/// If there is no scene of this name.
+/// If no scene has this name.
 pub fn named(name: &str) -> Scene {
     match name.strip_prefix(GRID) {
         Some(seed) => grid(seed.parse().expect("a grid has a number")),

@@ -171,7 +171,7 @@ fn malformed_examples_are_refused_with_file_place_and_remedy() {
         ),
         (
             entry("1").replace("inside", "scenes"),
-            ":2: there is no group `scenes` of public questions",
+            ":2: `scenes` is not a group of public questions",
         ),
     ] {
         let ran = examples("examples-malformed", &entries, &[]).expect_code(2);

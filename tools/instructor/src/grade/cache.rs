@@ -356,7 +356,7 @@ mod tests {
         };
         let listed = || cache.listed("ada").map(|record| record.got.points);
         put(1);
-        assert_eq!(listed(), None, "a first grade is no change");
+        assert_eq!(listed(), None, "a first grade is not a change");
         put(2);
         put(3);
         assert_eq!(listed(), Some(Some(1)));
