@@ -180,7 +180,11 @@ impl TreeMeasures {
         if largest_leaf == 0 && misplaced == 0 {
             return "a tree that has each triangle in exactly one leaf and exceeds no limit".into();
         }
-        let shape = format!("depth {depth}, at most {largest_leaf} triangles in a leaf");
+        let triangles = match largest_leaf {
+            1 => "triangle",
+            _ => "triangles",
+        };
+        let shape = format!("depth {depth}, at most {largest_leaf} {triangles} in a leaf");
         match misplaced {
             0 => format!(
                 "a tree with {shape}, and an expected {} tests for a ray",

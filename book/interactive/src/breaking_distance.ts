@@ -4,7 +4,11 @@ import facts from "./facts.json";
 import { slider, table } from "./stage";
 
 const { side, ways } = facts.breaking_distance;
-const NAMES: Readonly<Record<string, string>> = { f32: "textbook, f32", f64: "textbook, f64", foot: "stable, f64" };
+const NAMES: Readonly<Record<string, string>> = {
+    f32: "quadratic formula, f32",
+    f64: "quadratic formula, f64",
+    foot: "Pythagorean form, f64",
+};
 
 const rgb = (hex: string): readonly number[] => [1, 3, 5].map((at) => parseInt(hex.slice(at, at + 2), 16));
 

@@ -121,7 +121,11 @@ fn heads_of(name: &str) -> &'static [&'static str] {
         "projections_side_by_side" => &["perspective", "orthographic"],
         "tests_per_pixel" => &["normal", "one box", "a tree of boxes"],
         "sphere_from_afar" | "sphere_in_f32" => &["10", "10³", "10⁵", "10⁷", "10⁸", "10⁹"],
-        "breaking_distance" => &["textbook, f32", "textbook, f64", "stable, f64"],
+        "breaking_distance" => &[
+            "quadratic formula, f32",
+            "quadratic formula, f64",
+            "Pythagorean form, f64",
+        ],
         _ => &[],
     }
 }

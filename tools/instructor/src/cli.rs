@@ -75,8 +75,8 @@ impl Command {
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
 /// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// also makes random scenes. If a larger share of these passes, and they need all the tasks that a
-/// scene needs, that share is the scene's limit instead.
+/// also makes random scenes. If these need all the tasks that a scene needs, and the share of them
+/// that pass is larger than that limit, this share is the scene's limit instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions

@@ -84,8 +84,8 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
         let path = folder.display().to_string();
         document["prairielearn"] = sizes(&path, &written);
         words.push_str(&format!(
-            "wrote {path}: {}\n\nits README says how to make the image; don't share the image, \
-             because it contains every golden and our answers\n",
+            "wrote {path}: {}\n\nits README says how to build the container; don't share the \
+             container, because it contains every golden and our answers\n",
             in_words(&written)
         ));
     }

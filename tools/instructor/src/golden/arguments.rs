@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Recompute how each known mistake changes the films that existing goldens judge; doesn't need
+/// Recompute how the answers of each known mistake differ from the existing goldens; doesn't need
 /// Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can

@@ -33,8 +33,8 @@ pub enum Format {
     Canvas,
     /// moodle.csv in the --out folder: final marks for Moodle's grading worksheet
     Moodle,
-    /// feedback*.zip in the --out folder: the reports, packed once for Canvas, once for
-    /// Moodle, and once in a folder for each id
+    /// feedback*.zip in the --out folder: the reports, in three archives: one for Canvas,
+    /// one for Moodle, and one with a folder for each id
     Feedback,
 }
 
