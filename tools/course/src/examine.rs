@@ -155,7 +155,8 @@ impl Examiner<'_> {
             pictures,
         };
         timed("diagnose scenes", || {
-            self.goldens.diagnose_scenes(&mut examination)
+            let is_public = |scene: &str| self.interactive || self.is_public(scene);
+            self.goldens.diagnose_scenes(&mut examination, &is_public)
         })?;
         Ok(examination)
     }
@@ -175,6 +176,21 @@ impl Examiner<'_> {
                 scenes.for_each(|scene| drop(goldens.cached_scene(scene)));
             },
         );
+    }
+
+    /// Whether students have this scene.
+    fn is_public(&self, scene: &str) -> bool {
+        let mut scenes = self.assignment.scenes.iter();
+        scenes.any(|public| public.public && public.name == scene)
+    }
+
+    /// Whether a group asks about pixels of a scene that students don't have. What a result says
+    /// about anything else must not depend on it.
+    fn withholds(&self, task: &Task, group: &str) -> bool {
+        let mut scenes = self.goldens.scenes.iter();
+        !self.interactive
+            && task.is_of_scenes(group)
+            && scenes.any(|scene| !self.is_public(&scene.name))
     }
 
     /// Whether to ask several things at a time: only if someone waits for the result of their own
@@ -242,11 +258,13 @@ impl Examiner<'_> {
                         shows,
                     });
                 }
-                casts.push(Cast {
-                    asked: film,
-                    film: judged.film,
-                    end: outcome.clone(),
-                });
+                if !self.withholds(task, name) {
+                    casts.push(Cast {
+                        asked: film,
+                        film: judged.film,
+                        end: outcome.clone(),
+                    });
+                }
                 if is_reported {
                     result = Some((outcome, worst));
                 }

@@ -56,7 +56,7 @@ pub fn asked<'a>(
 }
 
 impl Goldens {
-    /// The belief that explains these films, which are all films of one task.
+    /// The belief that explains these films, which are films of one task.
     pub fn diagnose_task(&self, task: &str, casts: &[Cast<'_>]) -> Result<Diagnosis> {
         // If every film panicked, nothing distinguishes one belief from another.
         if casts.iter().all(|cast| cast.film.is_none()) {
@@ -104,8 +104,13 @@ impl Goldens {
 
     /// Diagnoses the scenes. Beliefs that were found in single tasks explain the pictures. Only
     /// if every task is right are pictures diagnosed by themselves, first all together, because
-    /// beliefs that look alike in one picture may differ in another.
-    pub fn diagnose_scenes(&self, examination: &mut Examination) -> Result<()> {
+    /// beliefs that look alike in one picture may differ in another. What is said of a public scene
+    /// does not depend on others.
+    pub fn diagnose_scenes(
+        &self,
+        examination: &mut Examination,
+        is_public: &dyn Fn(&str) -> bool,
+    ) -> Result<()> {
         let Examination { outcome, films, .. } = examination;
         let (tasks, scenes) = (&outcome.tasks, &mut outcome.scenes);
         if scenes.iter().all(|scene| scene.outcome.passes()) {
@@ -129,8 +134,11 @@ impl Goldens {
         };
         let together = match tasks.iter().all(TaskOutcome::passes) {
             true => {
-                let all: Vec<Evidence> = evidence.iter().flatten().cloned().collect();
-                self.known.explain(&all, &is_possible)
+                let all = scenes.iter().zip(&evidence);
+                let public = all.filter(|(scene, _)| is_public(&scene.name));
+                let public = public.filter_map(|(_, evidence)| evidence.clone());
+                self.known
+                    .explain(&public.collect::<Vec<_>>(), &is_possible)
             }
             false => held(tasks),
         };

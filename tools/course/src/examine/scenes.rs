@@ -13,7 +13,9 @@ use crate::describe;
 use crate::error::Result;
 use crate::goldens::GoldenScene;
 use crate::goldens::questions::QuestionFilm;
-use crate::outcome::{FilmOutcome, OwnRays, SceneFilm, SceneOutcome, Status, TaskOutcome};
+use crate::outcome::{
+    FilmOutcome, GroupOutcome, OwnRays, SceneFilm, SceneOutcome, Status, TaskOutcome,
+};
 
 /// What the process that casts several scenes is called. It gets the shortest limits, because
 /// scenes that take longer can be cast again, one by one.
@@ -27,7 +29,9 @@ impl Examiner<'_> {
         tasks: &[TaskOutcome],
     ) -> Result<Vec<(SceneOutcome, SceneFilm, String)>> {
         // Scenes that need a late answer would be late too, so they are not cast.
-        let late = self.with_a_film(tasks, |film| film.status() == Status::TimedOut);
+        let late = self.with_a_group(tasks, |task, group| {
+            group.outcome.status() == Status::TimedOut && !self.withholds(task, &group.name)
+        });
         let rays_pass = self.rays_pass(tasks);
         let together = self.cast_together(scenes, tasks)?;
         self.each(scenes, |scene| {
@@ -35,17 +39,20 @@ impl Examiner<'_> {
         })
     }
 
-    /// The tasks with a film like this.
-    fn with_a_film(
+    /// The tasks with a group like this.
+    fn with_a_group(
         &self,
         tasks: &[TaskOutcome],
-        is_like_this: impl Fn(&FilmOutcome) -> bool,
+        is_like_this: impl Fn(&Task, &GroupOutcome) -> bool,
     ) -> Vec<&Task> {
-        let groups = |task: &&TaskOutcome| task.groups.iter().any(|it| is_like_this(&it.outcome));
-        let tasks = tasks.iter().filter(groups);
-        tasks
-            .filter_map(|outcome| self.assignment.task(&outcome.name))
-            .collect()
+        let tasks = tasks.iter().filter_map(|outcome| {
+            let task = self.assignment.task(&outcome.name)?;
+            let mut groups = outcome.groups.iter();
+            groups
+                .any(|group| is_like_this(task, group))
+                .then_some(task)
+        });
+        tasks.collect()
     }
 
     /// Replies to the scenes that one process can cast, by name. Starting a process for each would
@@ -61,13 +68,14 @@ impl Examiner<'_> {
             return Ok(BTreeMap::new());
         }
         // An answer that gave no film for its questions would end the process for all scenes.
-        let broken = self.with_a_film(tasks, |film| !matches!(film, FilmOutcome::Judged(_)));
+        let broken = self.with_a_group(tasks, |_, group| {
+            !matches!(group.outcome, FilmOutcome::Judged(_))
+        });
         let mut films = Vec::new();
         for scene in scenes {
             let film = self.goldens.cached_scene(scene)?;
             let needs = |task: &&Task| film.job.needs(task.kind, task.shape);
-            let mut public = self.assignment.scenes.iter().filter(|scene| scene.public);
-            if public.any(|public| public.name == scene.name) && !broken.iter().any(needs) {
+            if self.is_public(&scene.name) && !broken.iter().any(needs) {
                 films.push(film);
             }
         }

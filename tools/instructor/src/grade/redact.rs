@@ -76,7 +76,7 @@ impl Withheld {
                     group.worst.clear();
                 }
             }
-            if self.probes && self.reveal == Reveal::Points {
+            if self.probes && self.reveal < Reveal::Picture {
                 task.diagnosis = Diagnosis::default();
             }
             // The measured numbers could be a message from the student's code.
@@ -121,7 +121,8 @@ impl Withheld {
 pub fn redact_scene(scene: &mut SceneOutcome, reveal: Reveal) {
     scene.outcome = redacted(&scene.outcome, reveal);
     scene.seconds = None;
-    if reveal == Reveal::Points {
+    // A diagnosis says how much of what is wrong it explains.
+    if reveal < Reveal::Picture {
         scene.diagnosis = Diagnosis::default();
     }
 }

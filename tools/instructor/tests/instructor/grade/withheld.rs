@@ -187,6 +187,64 @@ fn films_of_public_scenes_show_nothing_of_a_withheld_scene() {
 }
 
 #[test]
+fn a_result_says_nothing_of_a_withheld_scene_but_that_it_fails() {
+    let class = Class::new("withheld-wrong");
+    let reference = fs::read_to_string(answers().join("viewing_ray.rs")).expect("it is there");
+    let mistaken = reference.replace("as f64 + 0.5)", "as f64)");
+    // What the code does at some pixels of the withheld scene, and nowhere else.
+    let there = "if (resolution.n_x, resolution.n_y) == (140, 80) && pixel.i % 3 == 1";
+    for (name, does) in [
+        ("plain", "{}"),
+        (
+            "noisy",
+            "{ return Ray { origin: camera.eye, direction: camera.u }; }",
+        ),
+        (
+            "idle",
+            "{ std::thread::sleep(std::time::Duration::from_secs(100)); }",
+        ),
+        ("loud", "{ panic!(); }"),
+    ] {
+        let anchor = "// ANCHOR: answer\n";
+        let code = mistaken.replacen(anchor, &format!("{anchor}{there} {does}\n"), 1);
+        class.hand_in(name, &[("viewing_ray.rs", &code)]);
+    }
+    let assignment = small_assignment(&fresh(&trusted(), "withheld-wrong"));
+    let file = assignment.join("assignment.toml");
+    let text = fs::read_to_string(&file).expect("it is there");
+    let row = "name = \"inside_a_sphere\"\n";
+    fs::write(&file, text.replace(row, &format!("{row}public = false\n"))).expect("writable");
+    let own = ["plain", "noisy", "idle", "loud"].map(|name| class.path(&format!("class/{name}")));
+    let own = own.each_ref().map(String::as_str);
+    let out = class.path("out");
+    let assignment = assignment.to_str().expect("a plain name");
+    let rest = ["--out", &out, "--no-fresh", "--assignment", assignment];
+    pinhole(&[&["grade"], &own[..], &rest].concat()).expect_code(0);
+    let said = |name: &str| {
+        let result = class.result("out", name);
+        (result["tasks"].clone(), without_seconds(&result["scenes"]))
+    };
+    assert!(
+        said("plain")
+            .0
+            .to_string()
+            .contains("viewing_ray_half_pixel_missing")
+    );
+    for other in ["noisy", "idle", "loud"] {
+        assert_eq!(said(other), said("plain"), "{other}");
+    }
+}
+
+/// Scenes without the times that casting them took.
+fn without_seconds(scenes: &Value) -> Value {
+    let mut scenes = scenes.clone();
+    for scene in scenes.as_array_mut().expect("a list") {
+        scene["seconds"] = Value::Null;
+    }
+    scenes
+}
+
+#[test]
 fn changed_goldens_are_refused_for_grading() {
     let class = Class::new("changed-goldens");
     let mine = goldens_of_one_scene(&class, "inside_a_sphere");
