@@ -356,6 +356,9 @@ impl Sandbox {
             Ok(left) => limits.wall = limits.wall.min(left),
             Err(whole) => return Ok(Reply::unasked(job, Ending::OutOfTime(whole))),
         }
+        if !matches!(self, Sandbox::Trusted) {
+            toolchain::load(executable);
+        }
         let command = match self {
             Sandbox::Trusted => Command::new(executable),
             #[cfg(target_os = "linux")]

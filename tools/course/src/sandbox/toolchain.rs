@@ -73,3 +73,50 @@ pub fn libraries() -> Vec<PathBuf> {
     files.dedup();
     files
 }
+
+/// Reads a program and the libraries that it needs, so that all their pages are in the kernel's
+/// cache. Otherwise, the program could read some pages and leave out others, and programs that run
+/// later could measure which pages were read.
+pub fn load(program: &Path) {
+    for file in libraries().iter().map(PathBuf::as_path).chain([program]) {
+        if file.is_file() {
+            let _absent = fs::read(file);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::fs::File;
+    use std::io::IoSliceMut;
+
+    use rustix::fs::Advice;
+    use rustix::io::{ReadWriteFlags, preadv2};
+
+    use super::*;
+
+    /// How many pages of a file the kernel has in its cache.
+    fn cached_pages(file: &File, pages: u64) -> usize {
+        let mut byte = [0];
+        let is_cached = |page: &u64| {
+            let into = &mut [IoSliceMut::new(&mut byte)];
+            preadv2(file, into, page * 4096, ReadWriteFlags::NOWAIT).is_ok()
+        };
+        (0..pages).filter(is_cached).count()
+    }
+
+    #[test]
+    fn no_page_of_a_program_tells_whether_it_was_read_before() {
+        let beside = std::env::current_exe().unwrap();
+        let folder = tempfile::tempdir_in(beside.parent().unwrap()).unwrap();
+        let program = folder.path().join("submission");
+        let pages = 1024;
+        fs::write(&program, vec![7; 4096 * pages]).unwrap();
+        let file = File::open(&program).unwrap();
+        file.sync_all().unwrap();
+        // Without effect if the folder is in memory.
+        rustix::fs::fadvise(&file, 0, None, Advice::DontNeed).unwrap();
+        load(&program);
+        assert_eq!(cached_pages(&file, pages as u64), pages);
+    }
+}
