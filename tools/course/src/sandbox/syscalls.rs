@@ -11,7 +11,7 @@ use libc::{
     CLONE_NEWUTS, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::Dword;
-use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
+use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
 use seccompiler::{
     BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule, apply_filter,
 };
@@ -83,13 +83,15 @@ const NEVER: [libc::c_long; 48] = [
 /// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
-/// The commands of `fcntl` that watch a folder or lock a file.
-const WATCHES_OR_LOCKS: [libc::c_int; 5] = [
-    libc::F_NOTIFY,
-    libc::F_SETLK,
-    libc::F_SETLKW,
-    libc::F_OFD_SETLK,
-    libc::F_OFD_SETLKW,
+/// The only commands of `fcntl` that code may use while answering. Others watch a folder, lock a
+/// file or store a number beside it, and so could pass answers to another submission.
+const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
+    libc::F_DUPFD,
+    libc::F_DUPFD_CLOEXEC,
+    libc::F_GETFD,
+    libc::F_SETFD,
+    libc::F_GETFL,
+    libc::F_SETFL,
 ];
 
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
@@ -198,20 +200,23 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
         // memory until the last page of the mapping is unmapped.
         rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
-        let is = |command| SeccompCondition::new(1, Dword, Eq, command as u64);
-        let denied = WATCHES_OR_LOCKS.map(|command| SeccompRule::new(vec![is(command)?]));
-        let denied = denied.into_iter().collect::<Result<_, _>>()?;
-        rules.insert(libc::SYS_fcntl, denied);
+        let is_not = |command| SeccompCondition::new(1, Dword, Ne, command as u64);
+        let others = ALLOWED_OF_FCNTL.into_iter().map(is_not);
+        let others = SeccompRule::new(others.collect::<Result<_, _>>()?)?;
+        rules.insert(libc::SYS_fcntl, vec![others]);
         // The process was told to end with the grader, and must not be able to change that.
         let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
         rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
     }
     rules.insert(libc::SYS_clone, clones);
-    // On x86-64 the same calls have a second set of numbers (x32).
+    // On x86-64 the same calls have a second set of numbers (x32), and some have a third one.
     #[cfg(target_arch = "x86_64")]
-    for (call, of_call) in rules.clone() {
+    {
         const X32: i64 = 0x4000_0000;
-        rules.insert(call | X32, of_call);
+        for (call, of_call) in rules.clone() {
+            rules.insert(call | X32, of_call);
+        }
+        rules.extend((512..=547).map(|call| (call | X32, Vec::new())));
     }
     let unheard_of = SeccompAction::Errno(libc::ENOSYS as u32);
     let arch = std::env::consts::ARCH.try_into()?;

@@ -80,6 +80,7 @@ fn main() {
         ("share memory", 9, [0, 0, 0, 1]),
         ("keep memory", 9, [0, 0, 0, 2]),
         ("lock", 72, [-1, 6, 0, 0]),
+        ("store a number", 72, [-1, 1036, 0, 0]),
         ("ask for flags", 72, [-1, 3, 0, 0]),
         ("outlive the parent", 157, [1, -1, 0, 0]),
     ];
