@@ -107,7 +107,9 @@ pub fn verdict(file: &str, text: &str) -> Verdict {
         return Verdict::NotTokens;
     };
     for at in 0..tokens.len() {
-        if let Some((what, remedy)) = finding(&tokens[at..]) {
+        // After an apostrophe, a word is the name of a loop or of a lifetime.
+        let is_label = at > 0 && tokens[at - 1].0 == Token::Mark('\'');
+        if let Some((what, remedy)) = finding(&tokens[at..]).filter(|_| !is_label) {
             return refused(&what, tokens[at].1, remedy);
         }
     }

@@ -96,6 +96,7 @@ fn ordinary_code_is_allowed() {
         "fn f(x: f64) -> usize { let a = vec![0; 3]; println!(\"{a:?}\"); x as usize }",
         "use glam::DVec3 as V; use std::fmt::Write as _; // #[unsafe(naked)] asm!()",
         "const A: &str = \"include_str!()\"; fn f() { matches!(a, Some(_)); todo!() }",
+        "fn f() -> bool { 'out: loop { break 'out !{ g() } } }",
     ] {
         assert_eq!(verdict("plane", text), Verdict::Allowed, "{text}");
     }
