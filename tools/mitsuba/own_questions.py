@@ -20,13 +20,15 @@ def render(path, shape, name, folder):
     The questions fill the first pixels, in the order of the file. To fill the last row, they
     are repeated.
     """
-    with path.open("rb") as file:
-        examples = tomllib.load(file)["example"]
+    # Some editors begin a file with a byte order mark.
+    examples = tomllib.loads(path.read_text("utf-8-sig"))["example"]
     questions = []
     for example in examples:
         if "ray" in example:
             ray, thing = example["ray"], shapes.read({**example["shape"], "type": shape}, None)
             question = ask(thing, ray["e"], ray["d"], ray["min_t"])
+            if not np.isfinite(question.values()).all():
+                raise SceneError(f"{path}: own ray {len(questions)} has a number beyond float32")
             answer = question.answer()
             if answer is None or not np.isfinite(answer).all():
                 raise SceneError(f"{path}: own ray {len(questions)} is too close to call")

@@ -7,7 +7,8 @@ use pinhole_testing::{RunResult, fresh, pinhole, trusted};
 /// Judges a file with these examples of `sphere`, and prints JSON if `more` says so.
 fn examples(name: &str, entries: &str, more: &[&str]) -> RunResult {
     let file = fresh(&trusted(), name).join("mine.toml");
-    fs::write(&file, format!("task = \"sphere\"\n{entries}")).expect("there is room");
+    // Some editors begin a file with a byte order mark.
+    fs::write(&file, format!("\u{feff}task = \"sphere\"\n{entries}")).expect("there is room");
     let file = file.to_str().expect("a plain name");
     pinhole(&[&["examples", file], more].concat())
 }
@@ -144,6 +145,11 @@ fn rays_of_ones_own_that_no_one_can_judge_are_refused() {
             "ray = { e = [0, 0, 4e30], d = [0, 0, -2], min_t = 0 }",
             OWN_SHAPE,
             "Mitsuba's precision is too low for own ray 0",
+        ),
+        (
+            OWN_RAY,
+            "shape = { center = [0, 0, 0], radius = 1e300 }",
+            "own ray 0 has a number beyond float32",
         ),
     ] {
         let entry = format!("[[example]]\n{ray}\n{shape}\nhit = true\n");
