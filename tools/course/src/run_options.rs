@@ -16,9 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the assignment that contains the files or
-    /// folders that you pass, else the one that contains the current folder, else this
-    /// repository's default]
+    /// The assignment, by name or folder [default: the one that contains the files or folders that you pass, if any,
+    /// or else the current folder; otherwise this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

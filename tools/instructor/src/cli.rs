@@ -75,8 +75,8 @@ impl Command {
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
 /// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// also makes random scenes. If these need all the tasks that a scene needs, and the share of them
-/// that pass is larger than that limit, this share is the scene's limit instead.
+/// also makes random scenes. If these need all the tasks that the scene needs, and 80 % of them
+/// pass, the scene earns at most 80 % instead.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -98,7 +98,7 @@ pub struct Grade {
     /// golden render SCENE.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much detail results and reports give about what students don't have: fresh questions,
+    /// How much results and reports reveal about what students don't have: fresh questions,
     /// withheld scenes, and the films given with --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
@@ -288,8 +288,8 @@ pub struct Handout {
 ///
 /// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
 ///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, with the
-///   inputs, if any, for which their answers differ from the reference's. A search for such inputs
-///   must confirm this.
+///   inputs, if any, for which their answers differ from the reference's. A search must find
+///   different answers for these inputs, and for no others.
 ///
 /// The tables show how many mistakes each group of questions and each scene catches, how many it
 /// alone catches, and how small an error each scene detects. The exit code is 0 if every target is

@@ -136,7 +136,11 @@ fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -
         count += 1;
         if count > MOST_SAMPLED {
             let problem = format!("more than {MOST_SAMPLED} examples have rays of their own");
-            return at(entry.span().start, &problem, "put them into another file");
+            return at(
+                entry.span().start,
+                &problem,
+                "put some of them into another file",
+            );
         }
         let span = ray.span().start;
         let ray = ray.get_ref();

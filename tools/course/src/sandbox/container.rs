@@ -204,7 +204,7 @@ impl Container {
         if !self.may(&["-r"], &rustc) {
             return Err(Error::environment(
                 format!("another user cannot reach {}", rustc.display()),
-                "install Rust where everyone may read it, such as RUSTUP_HOME=/opt/rustup, or let \
+                "install Rust where everyone may read it (for example, with RUSTUP_HOME=/opt/rustup), or let \
                  everyone pass through the folders above it (chmod a+x)",
             ));
         }
