@@ -67,8 +67,8 @@ impl Command {
 /// With --watch, `check` keeps running and judges an answer whenever you save it. Once all tasks
 /// pass, it judges the scenes. Press h for a hint and ? for all keys. Without a terminal, or with
 /// --json, `check --watch` prints verdicts as they come, until you press Ctrl-C or close the pipe
-/// to its standard input. With --json, each verdict is one line. With --watch, the exit code
-/// doesn't depend on the verdicts.
+/// to its standard input. With --watch --json, each verdict is a JSON document on a line of its own.
+/// With --watch, the exit code doesn't depend on the verdicts.
 ///
 /// Only the answer files in the folder DIR are used. If DIR is outside this repository, the code is
 /// compiled and run in a sandbox.

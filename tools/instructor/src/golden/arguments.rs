@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Recompute how the answers of each known mistake differ from the existing goldens; doesn't need
+/// Recompute how films cast with each known mistake differ from the existing goldens; doesn't need
 /// Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can
