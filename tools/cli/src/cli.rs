@@ -296,9 +296,9 @@ pub struct Reset {
 /// Check whether this machine has what Pinhole needs
 ///
 /// Lists what Pinhole uses, such as the Rust compiler and a linker, and says whether each was
-/// found. In the instructor's repository, the list includes the sandbox and Mitsuba. It leaves them
-/// out in a student's repository, where your code runs without a sandbox, and Mitsuba's answers are
-/// stored. If something is missing, you also see what it is used for and how to get it. Only the
+/// found. In the instructor's repository, the list includes the sandbox and Mitsuba. A student's
+/// repository needs neither, because it contains Mitsuba's answers, and your own code runs without
+/// a sandbox. If something is missing, you also see what it is used for and how to get it. Only the
 /// Rust compiler, a linker and enough free disk space are required. If one of these is missing, the
 /// exit code is 3.
 #[derive(Args)]

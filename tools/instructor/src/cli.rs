@@ -74,9 +74,8 @@ impl Command {
 /// are the same for the whole class. A submission then earns the points for a group of
 /// questions only if it answers both the public and the fresh questions in that group correctly. A
 /// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
-/// its points, the scene earns at most 60 % of its own. Along with the fresh questions, `grade`
-/// also makes random scenes. If these need all the tasks that the scene needs, and 80 % of them
-/// pass, the scene earns at most 80 % instead.
+/// its points, the scene earns at most 60 % of its own. `grade` also makes random scenes. If these
+/// pass, they can raise that limit.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -98,8 +97,8 @@ pub struct Grade {
     /// golden render SCENE.toml --out DIR` makes them
     #[arg(long, value_name = "DIR")]
     pub golden: Option<PathBuf>,
-    /// How much results and reports reveal about what students don't have: fresh questions,
-    /// withheld scenes, and the films given with --golden
+    /// How much to reveal about what students don't have: fresh questions, withheld scenes, and the
+    /// films given with --golden
     #[arg(long, value_enum, default_value_t)]
     pub reveal: Reveal,
     /// Draw fresh questions from this seed [default: the seed of OUT/fresh; if there is none, or

@@ -96,8 +96,8 @@ fn figure(
         );
     };
     let alternative = format!(
-        "Three {view} pictures of scene {scene}: the expected one, one by code written with this \
-         belief, and the {pixels} of {of} pixels that differ"
+        "Three {view} pictures of scene {scene}: the expected one, one by code with this \
+         mistake, and the {pixels} of {of} pixels that differ"
     );
     let heads = heads(&["expected", "yours", "difference"]);
     format!(

@@ -34,7 +34,7 @@ pub enum Status {
     Unreadable,
     /// The answer, or one that it calls, is still `todo!`.
     Unanswered,
-    /// Every answer was compared with its golden.
+    /// Every answer was compared with the expected one.
     Graded,
 }
 

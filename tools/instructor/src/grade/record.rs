@@ -154,7 +154,7 @@ pub fn explained(status: Status) -> &'static str {
              answer to a question that was not asked."
         }
         Status::Unanswered => "An answer is still `todo!`. All others were judged.",
-        Status::Graded => "Every answer was compared with its golden.",
+        Status::Graded => "Every answer was compared with the expected one.",
     }
 }
 

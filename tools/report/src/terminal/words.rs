@@ -74,8 +74,8 @@ pub fn group_in_words(group: &GroupOutcome) -> String {
     let said = outcome_of(&group.outcome, "answers");
     match group.fails_fresh {
         true => format!(
-            "{said}. The public questions pass, but fresh questions, which only the grader has, \
-             do not. Ask your instructor, who can look at them"
+            "{said}. Your answers to the public questions pass, but not those to fresh questions, \
+             which students don't have. Ask your instructor, who can look at them"
         ),
         false => said,
     }
