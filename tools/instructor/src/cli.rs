@@ -71,11 +71,8 @@ impl Command {
 /// code is 1.
 ///
 /// If Mitsuba is installed, `grade` also asks fresh questions, which are drawn from a new seed and
-/// are the same for the whole class. A submission then earns the points for a group of
-/// questions only if it answers both the public and the fresh questions in that group correctly. A
-/// scene's points are limited by its tasks: if the weakest task that the scene needs earns 60 % of
-/// its points, the scene earns at most 60 % of its own. `grade` also makes random scenes. If these
-/// pass, they can raise that limit.
+/// are the same for the whole class. A submission earns the points for a group of questions only if
+/// its answers to the public and to the fresh questions are right.
 #[derive(Args)]
 pub struct Grade {
     /// Submissions and folders of submissions
@@ -131,9 +128,8 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
-    /// our own solution takes, whichever is more. If a task or scene exceeds its limit, the
-    /// submission is graded again at the end, with nothing else running. Only tasks and scenes that
-    /// exceed their limit a second time count as timed out
+    /// our own solution takes, whichever is more. A submission that exceeds a limit is graded again
+    /// at the end, with nothing else running
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
@@ -274,21 +270,11 @@ pub struct Handout {
 
 /// Test the grading: does it catch every known mistake and pass every right answer?
 ///
-/// Judges answers whose verdict is known, in the same way as students' answers:
-///
-/// - the stub must count as unanswered, and the reference and every variant (another right answer)
-///   must pass;
-///
-/// - every known mistake must fail in exactly the tasks that it declares, and so must its rewrite
-///   with another algorithm, if it has one;
-///
-/// - the hint for every mistake must be short and easy to read, and include an example with
-///   numbers;
-///
-/// - with --mutants, every copy of the reference with one small fault (a sign, a comparison, a
-///   constant, …) must fail if it compiles. The exceptions are listed in equivalent.toml, with the
-///   inputs, if any, for which their answers differ from the reference's. A search must find
-///   different answers for these inputs, and for no others.
+/// Judges answers whose verdict is known, in the same way as students' answers. The stub must count
+/// as unanswered. The reference and every variant (another right answer) must pass. Every known
+/// mistake must fail in exactly the tasks that it declares, and so must its rewrite with another
+/// algorithm, if it has one. Its hint must be short and easy to read, and include an example with
+/// numbers.
 ///
 /// The tables show how many mistakes each group of questions and each scene catches, how many it
 /// alone catches, and how small an error each scene detects. The exit code is 0 if every target is
@@ -300,8 +286,9 @@ pub struct Validate {
     pub positional: Option<String>,
     #[command(flatten)]
     pub assignment: AssignmentOption,
-    /// Also judge several hundred copies of the reference with one small fault each, which takes
-    /// about ten minutes
+    /// Also judge several hundred copies of the reference with one small fault each (a sign, a
+    /// comparison, a constant, …), which takes about ten minutes. Each must fail, except those that
+    /// equivalent.toml lists
     #[arg(long)]
     pub mutants: bool,
     /// Judge all pairs of mistakes in pairs.toml, not only a few for each task
