@@ -13,6 +13,8 @@ pub mod world;
 
 use std::marker::PhantomData;
 
+use serde::Serialize;
+
 use crate::kernel::Camera;
 use crate::shape::Ray;
 use model::{Exact, Model, Query};
@@ -20,13 +22,15 @@ use tree::Tree;
 use world::{Accurate, Part, View, World};
 
 /// Counters of the work that a cast did.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
-    /// Tests of a ray against a part.
+    /// Tests of a ray against a part. Results contain the mean for one ray instead.
+    #[serde(skip)]
     pub tests: u64,
     /// Tests that the static filter could not decide.
     pub semi_static: u64,
-    /// Tests that the semi-static filter could not decide either.
+    /// Tests that the semi-static filter could not decide either; for triangles, double-double
+    /// comes next.
     pub double_double: u64,
     /// Tests that were decided exactly.
     pub exact: u64,

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::cast;
 use crate::judge::Tally;
 use crate::kernel::Tier;
 use crate::oracle::scene::FilmErrors;
@@ -220,26 +221,18 @@ pub struct SceneTally {
     pub model: &'static str,
     /// `brute force` or `boxes`.
     pub search: Option<&'static str>,
-    /// Pixels that were cast.
-    pub rays: u64,
-    /// Pixels with a wrong object.
-    pub wrong_ids: u64,
-    /// The largest relative error of t, where the object is right.
-    pub worst_t: f64,
+    /// The oracle's judgement of the film, without a request for accuracy.
+    #[serde(flatten)]
+    pub errors: FilmErrors,
     /// CPU time for a ray, in the median film.
     pub nanoseconds: Option<f64>,
     /// Instructions for a ray of a film, by callgrind.
     pub instructions: Option<f64>,
     /// Mean number of parts tested per ray.
     pub tests: Option<f64>,
-    /// Tests that the static filter could not decide.
-    pub semi_static: u64,
-    /// Tests that neither filter could decide; for triangles, double-double comes next.
-    pub double_double: u64,
-    /// Tests that were decided exactly.
-    pub exact: u64,
-    /// Comparisons of t that were decided exactly.
-    pub close_calls: u64,
+    /// The work of all rays together.
+    #[serde(flatten)]
+    pub tally: cast::Tally,
 }
 
 /// Rays that begin at the hit of another ray, with the origin moved off the surface by one

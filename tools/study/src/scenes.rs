@@ -4,13 +4,13 @@
 use std::hint::black_box;
 use std::path::Path;
 
-use pinhole::{Film, Hit, Intersection, Scene, Shape};
+use pinhole::{Film, Hit, Scene, Shape};
 
 use crate::cast::model::Plain;
 use crate::cast::world::World;
 use crate::cast::{Caster, Tally};
 use crate::extent::Extent;
-use crate::oracle::scene::{TrueHit, errors};
+use crate::oracle::scene::errors;
 use crate::plan::casting::PlannedCaster;
 use crate::plan::{EXACT_OBJECTS, search_name};
 use crate::random_scene::grid;
@@ -49,40 +49,26 @@ impl Stage {
         }
     }
 
+    /// Casts one ray in plain `f64`, with or without boxes, or exactly.
     #[inline(always)]
-    fn plain(&self, has_boxes: bool, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
-        let found =
-            self.plain[usize::from(has_boxes)].first::<Plain>(ray, self.scene.min_t, tally)?;
-        Some(Hit {
-            object: found.part.object as usize,
-            intersection: Intersection {
-                t: found.t,
-                normal: found.part.shape.normal(ray, found.t).into(),
-            },
-        })
-    }
-
-    /// What each ray hits, and the work that this took.
-    fn hits(&self, plain: Option<bool>) -> (Vec<Option<Hit>>, Tally) {
+    fn see(&self, plain: Option<bool>, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let Some(has_boxes) = plain else {
-            return self.exact.hits();
+            return self.exact.see(ray, tally);
         };
-        let mut tally = Tally::default();
-        let rays = self.exact.rays().iter();
-        let hits = rays
-            .map(|ray| self.plain(has_boxes, ray, &mut tally))
-            .collect();
-        (hits, tally)
+        let caster = &self.plain[usize::from(has_boxes)];
+        let found = caster.first::<Plain>(ray, self.scene.min_t, tally)?;
+        Some(
+            found
+                .part
+                .hit(found.t, found.part.shape.normal(ray, found.t)),
+        )
     }
 
-    /// Casts all rays in plain `f64`, with or without boxes, or exactly, for timing. It does not
-    /// read a clock, because rustix's clock does not work under valgrind.
+    /// Casts all rays in one way, for timing. It does not read a clock, because rustix's clock does
+    /// not work under valgrind.
     pub fn cast(&self, plain: Option<bool>) {
-        let Some(has_boxes) = plain else {
-            return self.exact.cast();
-        };
         for ray in black_box(self.exact.rays()) {
-            black_box(self.plain(has_boxes, ray, &mut Tally::default()));
+            black_box(self.see(plain, ray, &mut Tally::default()));
         }
     }
 }
@@ -163,12 +149,15 @@ fn golden(name: &str) -> Option<Film> {
 /// Judges every way to cast a scene, and Mitsuba's film of it if there is one.
 pub fn studied(stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
     let (name, rays, truths) = (&stage.name, stage.exact.rays(), stage.exact.truths());
+    let judged = |hits| errors(rays, &truths, hits, f64::INFINITY);
     let films = WAYS.map(|(_, plain)| Box::new(move || stage.cast(plain)) as Workload);
     let times = race(films.into(), rays.len(), extent.seconds);
     let cheaper = stage.exact.has_boxes;
     let mut tallies = Vec::new();
     for (at, ((model, plain), time)) in WAYS.into_iter().zip(times).enumerate() {
-        let (hits, tally) = stage.hits(plain);
+        let mut tally = Tally::default();
+        let hits = rays.iter().map(|ray| stage.see(plain, ray, &mut tally));
+        let errors = judged(hits.collect());
         let has_boxes = plain.unwrap_or(cheaper);
         let is_counted = extent.instructions && has_boxes == cheaper;
         let count = || speed::instructions(&format!("{SCENE}{name}"), at, rays.len());
@@ -179,11 +168,8 @@ pub fn studied(stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
             nanoseconds: Some(time.nanoseconds),
             instructions: is_counted.then(count).flatten(),
             tests: Some(tally.tests as f64 / rays.len() as f64),
-            semi_static: tally.semi_static,
-            double_double: tally.double_double,
-            exact: tally.exact,
-            close_calls: tally.close_calls,
-            ..judged(rays, &truths, hits)
+            errors,
+            tally,
         });
     }
     if let Some(film) = golden(name) {
@@ -192,18 +178,9 @@ pub fn studied(stage: &Stage, extent: &Extent) -> Vec<SceneTally> {
         tallies.push(SceneTally {
             scene: name.clone(),
             model: "Mitsuba",
-            ..judged(rays, &truths, hits)
+            errors: judged(hits),
+            ..SceneTally::default()
         });
     }
     tallies
-}
-
-fn judged(rays: &[Ray<f64>], truths: &[TrueHit], hits: Vec<Option<Hit>>) -> SceneTally {
-    let errors = errors(rays, truths, hits, f64::INFINITY);
-    SceneTally {
-        rays: errors.rays,
-        wrong_ids: errors.wrong_ids,
-        worst_t: errors.worst_t,
-        ..SceneTally::default()
-    }
 }

@@ -26,7 +26,7 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
     };
     let objects = |scenes: &[SceneTally]| {
         let exact = scenes.iter().filter(|it| it.model == "exact");
-        sum(exact, |it| [it.wrong_ids, it.rays])
+        sum(exact, |it| [it.errors.wrong_ids, it.errors.rays])
     };
     let plans =
         |wrong: fn(&PlanTally) -> u64| sum(findings.plans.iter(), |it| [wrong(it), it.kept.rays]);

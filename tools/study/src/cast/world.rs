@@ -1,5 +1,7 @@
 //! A scene as a list of parts, each of which a kernel can intersect.
 
+use pinhole::{Hit, Intersection};
+
 use super::bounds::required_t;
 use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
@@ -58,6 +60,18 @@ pub struct Part {
     pub from_camera: Option<PartFromCamera>,
     /// Which of its hits are accurate enough.
     pub accurate: Accurate,
+}
+
+impl Part {
+    /// A hit of this part, as the harness writes it to a film.
+    #[inline(always)]
+    pub fn hit(&self, t: f64, normal: Vector<f64>) -> Hit {
+        let normal = normal.into();
+        Hit {
+            object: self.object as usize,
+            intersection: Intersection { t, normal },
+        }
+    }
 }
 
 /// The constants of a part for the rays of one camera.

@@ -3,7 +3,7 @@
 
 use std::hint::black_box;
 
-use pinhole::{Film, Hit, Intersection, Resolution, Scene};
+use pinhole::{Film, Hit, Resolution, Scene};
 use rayon::prelude::*;
 
 use super::refined::refined;
@@ -89,7 +89,7 @@ impl PlannedCaster {
 
     /// Casts one ray.
     #[inline]
-    fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
+    pub fn see(&self, ray: &Ray<f64>, tally: &mut Tally) -> Option<Hit> {
         let (caster, min_t) = (&self.caster, self.min_t);
         let found = match self.camera {
             Camera::Perspective { .. } => caster.first::<Exact<true>>(ray, min_t, tally),
@@ -104,13 +104,7 @@ impl PlannedCaster {
                 (refined.t, refined.normal)
             }
         };
-        Some(Hit {
-            object: part.object as usize,
-            intersection: Intersection {
-                t,
-                normal: normal.into(),
-            },
-        })
+        Some(part.hit(t, normal))
     }
 
     /// The normal at a hit, computed with rounding.
