@@ -1,6 +1,6 @@
 //! Everyday, hard and absurd questions, each class on its own: what a kernel costs and what it
-//! gets wrong, how often each tier of an exact kernel is needed, and how errors of t depend on
-//! the questions' condition numbers.
+//! gets wrong, how often each tier of an exact kernel is needed, how errors of t depend on the
+//! questions' condition numbers, and where each kernel breaks.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,9 @@ use crate::family::HasFamilies;
 use crate::judge::{Tally, median_and_worst};
 use crate::kernel::Tier;
 use crate::question::{Class, Data};
-use crate::result::{ConditioningErrors, KernelTally, Sweep, TierTally, Trade};
+use crate::result::{
+    BreakingPoint, ConditioningErrors, KernelTally, Point, Sweep, TierTally, Trade,
+};
 use crate::speed::{self, PAIRS, Time, pool, race};
 
 /// A kernel's name, and the numbers it computes with.
@@ -158,4 +160,35 @@ pub fn conditioning(shape: &'static str, sweeps: &[Sweep]) -> Vec<ConditioningEr
         }
     };
     decades.into_iter().map(of_decade).collect()
+}
+
+/// A kernel with a larger share of wrong decisions is broken.
+const WRONG: f64 = 1e-3;
+
+/// A kernel is broken if more than one decision in a thousand is wrong, if any t is not finite,
+/// or if at least half of all t have lost half of their digits.
+fn is_broken(tally: &Tally, data: Data) -> bool {
+    let half_lost = 2f64.powf(f64::from(data.digits()) / 2.0);
+    tally.wrong_share() > WRONG
+        || tally.not_finite > 0
+        || tally.median_ulp.is_some_and(|ulp| ulp > half_lost)
+}
+
+/// The breaking points of every kernel in a sweep, by the same rule for all kernels.
+pub fn breaking(sweep: &Sweep, data: Data) -> Vec<BreakingPoint> {
+    // The exponent nearest to 0 is the easiest: search upwards from there.
+    let exponents = sweep.points.iter().map(|point| point.exponent);
+    let easy = exponents.min_by_key(|x| x.abs()).unwrap_or_default();
+    let above = || sweep.points.iter().filter(|it| it.exponent >= easy);
+    let of_kernel = |(at, named): (usize, &KernelTally)| BreakingPoint {
+        shape: sweep.shape,
+        family: sweep.family,
+        kernel: named.kernel,
+        numbers: named.numbers,
+        above: above()
+            .find(|it: &&Point| is_broken(&it.kernels[at].tally, data))
+            .map(|it| it.exponent),
+    };
+    let kernels = sweep.points.first().into_iter().flat_map(|it| &it.kernels);
+    kernels.enumerate().map(of_kernel).collect()
 }

@@ -72,8 +72,6 @@ fn narrowed<S: Shape<Number = f64>, F: Real>(question: &Question<S>) -> (S::With
 
 /// A shape with kernels to compare.
 pub trait HasKernels: HasTruth + Filtered + Into<Primitive> {
-    /// The shape's name.
-    const NAME: &'static str;
     /// All kernels, for all types of numbers.
     fn contestants() -> Vec<Contestant<Self>>;
     /// The place of the exact kernel in `f64` among all kernels, and the kernel.
@@ -118,8 +116,6 @@ where
 }
 
 impl HasKernels for Sphere<f64> {
-    const NAME: &'static str = "sphere";
-
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, sphere::Textbook>(),
@@ -131,8 +127,6 @@ impl HasKernels for Sphere<f64> {
 }
 
 impl HasKernels for Plane<f64> {
-    const NAME: &'static str = "plane";
-
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, plane::ShiftedOrigin>(),
@@ -143,8 +137,6 @@ impl HasKernels for Plane<f64> {
 }
 
 impl HasKernels for Triangle<f64> {
-    const NAME: &'static str = "triangle";
-
     fn contestants() -> Vec<Contestant<Self>> {
         [
             in_all_numbers::<Self, triangle::MollerTrumbore>(),

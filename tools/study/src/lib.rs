@@ -6,10 +6,10 @@
 //! 2. [`kernel`]: ways to intersect a ray with a shape, one file each, and the arithmetic that
 //!    some of them use: [`double_double`], [`dyadic`], [`root`];
 //! 3. [`question`], [`family`], [`random`]: the questions that kernels are asked;
-//! 4. [`oracle`], [`judge`], [`breaking`], [`conditioning`]: the true answers, wrong answers,
-//!    where kernels break, and how sensitive questions are;
-//! 5. [`contestants`], [`speed`], [`classes`]: the kernels,
-//!    what each costs, and what it gets wrong in each class of questions;
+//! 4. [`oracle`], [`judge`], [`conditioning`]: the true answers, wrong answers, and how
+//!    sensitive questions are;
+//! 5. [`contestants`], [`speed`], [`classes`]: the kernels, what each costs, what it gets wrong
+//!    in each class of questions, and where it breaks;
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
 //!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
@@ -17,7 +17,6 @@
 //! 8. [`extent`], [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the
 //!    whole study, and its reports.
 
-pub mod breaking;
 pub mod cast;
 pub mod classes;
 pub mod conditioning;

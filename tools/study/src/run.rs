@@ -2,7 +2,6 @@
 
 use rayon::prelude::*;
 
-use crate::breaking::breaking;
 use crate::classes;
 use crate::conditioning::condition;
 use crate::contestants::HasKernels;
@@ -64,7 +63,7 @@ fn of_shape<S: HasFamilies>(extent: &Extent, say: &dyn Fn(&str), findings: &mut 
         for data in [Data::F64, Data::F32] {
             say(&format!("{}: {} in {}", S::NAME, family.name, data.name()));
             let sweep = swept(&family, data, extent);
-            findings.breaking.extend(breaking(&sweep, data));
+            findings.breaking.extend(classes::breaking(&sweep, data));
             sweeps.push(sweep);
         }
     }

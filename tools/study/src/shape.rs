@@ -55,6 +55,8 @@ impl<F: Real> Triangle<F> {
 pub trait Shape: Copy + Send + Sync + 'static {
     /// The type of its numbers.
     type Number: Real;
+    /// Its name in tables.
+    const NAME: &'static str;
     /// The same shape with other numbers.
     type With<G: Real>: Shape<Number = G>;
     /// Applies one function to all lengths, and another to numbers that are not lengths (a plane's
@@ -68,6 +70,7 @@ pub trait Shape: Copy + Send + Sync + 'static {
 
 impl<F: Real> Shape for Sphere<F> {
     type Number = F;
+    const NAME: &'static str = "sphere";
     type With<G: Real> = Sphere<G>;
     #[inline(always)]
     fn map<G: Real>(&self, length: impl Fn(F) -> G, _: impl Fn(F) -> G) -> Sphere<G> {
@@ -80,6 +83,7 @@ impl<F: Real> Shape for Sphere<F> {
 
 impl<F: Real> Shape for Plane<F> {
     type Number = F;
+    const NAME: &'static str = "plane";
     type With<G: Real> = Plane<G>;
     #[inline(always)]
     fn map<G: Real>(&self, length: impl Fn(F) -> G, free: impl Fn(F) -> G) -> Plane<G> {
@@ -92,6 +96,7 @@ impl<F: Real> Shape for Plane<F> {
 
 impl<F: Real> Shape for Triangle<F> {
     type Number = F;
+    const NAME: &'static str = "triangle";
     type With<G: Real> = Triangle<G>;
     #[inline(always)]
     fn map<G: Real>(&self, length: impl Fn(F) -> G, _: impl Fn(F) -> G) -> Triangle<G> {

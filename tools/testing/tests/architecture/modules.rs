@@ -136,7 +136,6 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "conditioning",
             "judge",
             "result",
-            "breaking",
             "random",
             "family",
             "speed",
