@@ -1,12 +1,11 @@
 //! Tests that casting whole scenes loses no hit, and that the nearer of two hits always comes
 //! first.
 
-use pinhole_study::cast::model::{Exact, exact};
+use pinhole_study::cast::model::Exact;
 use pinhole_study::cast::rays::{camera, rays};
 use pinhole_study::cast::world::{Part, Primitive, View, World};
 use pinhole_study::cast::{Caster, Tally, first_hit};
-use pinhole_study::kernel::sphere::ScaledRay;
-use pinhole_study::kernel::{Adaptive, Camera, Kernel};
+use pinhole_study::kernel::Camera;
 use pinhole_study::oracle::scene::sight;
 use pinhole_study::random::Random;
 use pinhole_study::random_scene;
@@ -35,22 +34,6 @@ fn first(world: &World, ray: &Ray<f64>, min_t: f64) -> Option<(u32, f64)> {
     let place = found.map(|found| found.part.place);
     assert_eq!(place, seen.map(|(place, _)| place), "{ray:?} {min_t:e}");
     seen
-}
-
-/// The place of the part that a ray truly hits first. Kernels that know of no camera and of no other
-/// part find the hits, and their exact roots are compared.
-fn truly_first(parts: &[Part], ray: &Ray<f64>, min_t: f64) -> Option<u32> {
-    let prepared = (ScaledRay::new(ray), *ray);
-    let is_met = |part: &&Part| match &part.shape {
-        Primitive::Sphere(sphere) => Adaptive::intersect(sphere, &prepared, min_t).is_some(),
-        Primitive::Plane(plane) => Adaptive::intersect(plane, &prepared, min_t).is_some(),
-        Primitive::Triangle(it) => Adaptive::intersect(it, &prepared, min_t).is_some(),
-    };
-    let root = |part: &Part| exact(&part.shape, ray, min_t).expect("it is met");
-    let met = parts.iter().filter(is_met);
-    let met = met.map(|part| (root(part), part.place));
-    let first = met.min_by(|(p, at), (q, other)| p.compare(q).then(at.cmp(other)));
-    first.map(|(_, place)| place)
 }
 
 /// Turns a ray of a camera to the limb of a sphere, or to the first edge of a triangle.
@@ -109,7 +92,7 @@ fn through(random: &mut Random, parts: &[Part]) -> Ray<f64> {
 fn seen_truly<const HAS_EYE: bool>() -> [usize; 2] {
     let mut random = Random::new(5, "camera");
     let [mut hits, mut accurate] = [0; 2];
-    for seed in 0..1_000 {
+    for seed in 0..300 {
         let (scene, _) = random_scene::drawn(seed);
         let mut rays = rays(&scene);
         if HAS_EYE != matches!(camera(&scene, &rays), Camera::Perspective { .. }) {
@@ -131,7 +114,8 @@ fn seen_truly<const HAS_EYE: bool>() -> [usize; 2] {
         let caster = |has_boxes| Caster::new(world.clone(), Some(view), has_boxes);
         let casters = [false, true].map(caster);
         for ray in rays {
-            let place = truly_first(&world.parts, &ray, 0.0);
+            let truth = sight(&world.parts, &ray, 0.0);
+            let place = truth.as_ref().map(|(part, _)| part.place);
             for caster in &casters {
                 let found = caster.first::<Exact<HAS_EYE>>(&ray, 0.0, &mut Tally::default());
                 assert_eq!(
@@ -142,10 +126,8 @@ fn seen_truly<const HAS_EYE: bool>() -> [usize; 2] {
                 let Some(found) = found else { continue };
                 hits += 1;
                 if found.is_accurate {
-                    let root = exact(&found.part.shape, &ray, 0.0).expect("it is hit");
-                    let t = root.rounded();
-                    let is_near = (found.t - t).abs() <= accuracy * t;
-                    assert!(is_near, "{} instead of {t}: {ray:?}", found.t);
+                    let error = truth.as_ref().map(|(_, root)| root.relative_error(found.t));
+                    assert!(error <= Some(accuracy), "{}: {error:?}, {ray:?}", found.t);
                     accurate += 1;
                 }
             }
@@ -157,10 +139,7 @@ fn seen_truly<const HAS_EYE: bool>() -> [usize; 2] {
 #[test]
 fn rays_of_a_camera_see_what_is_truly_first() {
     for [hits, accurate] in [seen_truly::<true>(), seen_truly::<false>()] {
-        assert!(
-            hits > 10_000 && accurate > hits / 10,
-            "{accurate} of {hits}"
-        );
+        assert!(hits > 3_000 && accurate > hits / 10, "{accurate} of {hits}");
     }
 }
 
@@ -168,47 +147,19 @@ fn rays_of_a_camera_see_what_is_truly_first() {
 fn boxes_lose_no_hit_of_a_ray_from_anywhere() {
     let mut random = Random::new(5, "anywhere");
     let mut hits = 0;
-    for seed in 0..1_000 {
+    for seed in 0..300 {
         let world = World::of(&random_scene::drawn(seed).0.objects);
         for _ in 0..20 {
             let ray = through(&mut random, &world.parts);
             if ray.is_finite() && ray.direction.largest() > 0.0 {
                 let place = first(&world, &ray, 0.0).map(|(place, _)| place);
-                assert_eq!(place, truly_first(&world.parts, &ray, 0.0), "{seed}");
+                let truth = sight(&world.parts, &ray, 0.0).map(|(part, _)| part.place);
+                assert_eq!(place, truth, "{seed}");
                 hits += usize::from(place.is_some());
             }
         }
     }
-    assert!(hits > 5_000, "{hits}");
-}
-
-#[test]
-fn hit_one_ulp_before_min_t_is_not_seen() {
-    let mut random = Random::new(4, "min_t");
-    let mut met = 0;
-    for _ in 0..20 {
-        let balls = (0..60).map(|_| {
-            let center = (random.unit() * random.within(0.0, 8.0)).map(f64::round);
-            let radius = random.within(0.1, 1.5);
-            Primitive::Sphere(Sphere { center, radius })
-        });
-        let world = world_of(balls);
-        for _ in 0..200 {
-            let ray = Ray {
-                origin: random.unit() * random.within(0.0, 9.0),
-                direction: random.unit(),
-            };
-            let Some((_, t)) = first(&world, &ray, 0.0) else {
-                continue;
-            };
-            met += 1;
-            for min_t in [t.next_down().max(0.0), t, t.next_up()] {
-                let place = first(&world, &ray, min_t).map(|(place, _)| place);
-                assert_eq!(place, truly_first(&world.parts, &ray, min_t), "{min_t:e}");
-            }
-        }
-    }
-    assert!(met > 1_000, "{met}");
+    assert!(hits > 1_500, "{hits}");
 }
 
 /// The direction's y component underflows when the direction is scaled to a length of about 1,
