@@ -1,17 +1,17 @@
-//! Tests that the double-double filter of triangles agrees with exact arithmetic, for rays ever
-//! closer to an edge.
+//! Tests that the filters of triangles agree with exact arithmetic, for rays ever closer to an edge
+//! and for triangles so large that volumes overflow.
 
 use pinhole_study::kernel::sphere::ScaledRay;
-use pinhole_study::kernel::triangle::double_double_filter;
-use pinhole_study::kernel::{Filtered, ScaledQuery};
+use pinhole_study::kernel::{Adaptive, Filtered, Kernel, ScaledQuery};
 use pinhole_study::random::Random;
+use pinhole_study::root::rounded;
 use pinhole_study::shape::{Ray, Triangle};
 use pinhole_study::vector::Vector;
 
 /// The double-double filter's answer, if it is certain.
 fn twice_decided(triangle: &Triangle<f64>, ray: &Ray<f64>, min_t: f64) -> Option<Option<f64>> {
     let scaled = ScaledRay::new(ray);
-    double_double_filter(triangle, &ScaledQuery::new(scaled, scaled.scale(min_t)))
+    triangle.double_double_filter(&ScaledQuery::new(scaled, scaled.scale(min_t)))
 }
 
 /// A ray at distance `hair` from the world's origin, aimed from there at the middle of an edge.
@@ -94,4 +94,48 @@ fn no_decision_is_wrong_with_underflow_or_t_near_min_t() {
         }
     }
     assert!(met > 1_000 && decided > 100, "{met}, {decided}");
+}
+
+/// The ray hits an edge exactly, and digits of the products underflow.
+#[test]
+fn products_that_underflow_are_left_to_exact_arithmetic() {
+    let mut random = Random::new(3, "twice");
+    for power in -530..-470 {
+        for _ in 0..20 {
+            let (triangle, ray) = beside_an_edge(&mut random, 0.0, 0.0);
+            let corners = triangle.corners.map(|corner| corner * 2f64.powi(power));
+            let answer = twice_decided(&Triangle { corners }, &ray, 0.0);
+            assert_eq!(answer, None, "{corners:?} {ray:?}");
+        }
+    }
+}
+
+/// Counts rays for which the filtered kernel and exact arithmetic disagree about a hit.
+fn disagreements(size: f64) -> usize {
+    let mut random = Random::new(1, "overflow");
+    let mut point = || {
+        let mut number = || random.within(-2.0, 2.0) * size;
+        Vector::new(number(), number(), number())
+    };
+    let mut disagreements = 0;
+    for _ in 0..5_000 {
+        let (corners, origin) = ([0; 3].map(|_| point()), point());
+        let [a, b, c] = corners.map(|corner| corner * (1.0 / 3.0));
+        let target = a + b + c;
+        let ray = Ray {
+            origin,
+            direction: (target - origin) * (1.0 / size),
+        };
+        let triangle = Triangle { corners };
+        let seen = Adaptive::intersect(&triangle, &(ScaledRay::new(&ray), ray), 0.0);
+        let truth = rounded(triangle.exact(&ray, 0.0));
+        disagreements += usize::from(seen.is_some() != truth.is_some());
+    }
+    disagreements
+}
+
+#[test]
+fn overflowing_volumes_are_left_to_exact_arithmetic() {
+    // The first size overflows determinants, the second t times the determinant.
+    assert_eq!(disagreements(5e153) + disagreements(4e102), 0);
 }
