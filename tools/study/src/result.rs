@@ -283,7 +283,7 @@ pub struct PlanTally {
 #[derive(Clone, Debug, Serialize)]
 pub struct Target {
     /// What was measured.
-    pub about: &'static str,
+    pub about: String,
     /// The promise, in words.
     pub expected: String,
     /// The measurement, in words.
