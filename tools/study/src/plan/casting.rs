@@ -99,9 +99,9 @@ impl PlannedCaster {
         let (t, normal) = match found?.is_accurate && has_digits(t) {
             true => (t, self.normal(part, ray, t)),
             false => {
-                let refined = refined(&part.shape, ray, min_t, t);
-                tally.exact_hits += u64::from(refined.is_exact);
-                (refined.t, refined.normal)
+                let (t, normal, is_exact) = refined(&part.shape, ray, min_t, t);
+                tally.exact_hits += u64::from(is_exact);
+                (t, normal)
             }
         };
         Some(part.hit(t, normal))

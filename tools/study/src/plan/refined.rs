@@ -13,31 +13,22 @@ use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
 /// t and the unit normal of a hit whose t is about `near`. t has a relative error of at most 2u,
-/// and the normal is off by at most 9u. `is_exact` tells which arithmetic was necessary.
+/// and the normal is off by at most 9u. The last value tells whether exact arithmetic was necessary.
 ///
 /// # Panics
 /// If the ray misses the shape.
 #[cold]
 #[inline(never)]
-pub fn refined(shape: &Primitive, ray: &Ray<f64>, min_t: f64, near: f64) -> Refined {
+pub fn refined(
+    shape: &Primitive,
+    ray: &Ray<f64>,
+    min_t: f64,
+    near: f64,
+) -> (f64, Vector<f64>, bool) {
     let rounded = in_double_double(shape, &ScaledRay::new(ray), near);
     let is_exact = rounded.is_none();
     let (t, normal) = rounded.unwrap_or_else(|| exactly(shape, ray, min_t));
-    Refined {
-        t,
-        normal,
-        is_exact,
-    }
-}
-
-/// A hit, and how it was computed.
-pub struct Refined {
-    /// The ray parameter.
-    pub t: f64,
-    /// The unit normal.
-    pub normal: Vector<f64>,
-    /// Whether it was computed exactly and rounded once.
-    pub is_exact: bool,
+    (t, normal, is_exact)
 }
 
 /// t and the unit normal of a hit, each rounded from at least a hundred bits.
@@ -60,8 +51,8 @@ fn exactly(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) 
 
 /// t and the unit normal in double-double arithmetic; `None` if a rounding error may exceed u/8.
 ///
-/// The relative error of a double-double operation is at most 8u² (see
-/// [`crate::kernel::triangle::double_double_filter`]). So the error of a dot product is at most
+/// The relative error of a double-double operation is at most 8u² (see the double-double filter in
+/// [`crate::kernel::triangle`]). So the error of a dot product is at most
 /// 32u² times the sum of its terms' magnitudes. In the range that is checked first, nothing
 /// overflows, and underflow is far smaller than these errors.
 fn in_double_double(
