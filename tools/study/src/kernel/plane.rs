@@ -77,12 +77,12 @@ impl Filtered for Plane<f64> {
         }
         let n = self.normal.map(Dyadic::of);
         let down = n.clone().dot(ray.direction.map(Dyadic::of));
-        let height = n.dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
-        let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
-        if down.sign() == 0 || beyond.sign() * down.sign() < 0 {
+        if down.sign() == 0 {
             return None;
         }
-        Some(Root::fraction(height, down))
+        let height = n.dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
+        let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
+        (beyond.sign() * down.sign() >= 0).then(|| Root::fraction(height, down))
     }
 }
 
