@@ -23,7 +23,7 @@ unsafe extern "C" {
         mesh: *mut Handles,
         corners: *const [c_float; 3],
         corner_count: c_uint,
-        triangles: *const [c_uint; 3],
+        indices: *const c_uint,
         triangle_count: c_uint,
     );
     fn pinhole_embree_cast(
@@ -43,18 +43,19 @@ pub fn robust(mesh: &Mesh, rays: &[Ray]) -> Cast {
         device: std::ptr::null_mut(),
         scene: std::ptr::null_mut(),
     });
-    let lengths = [mesh.corners.len(), mesh.triangles.len()];
-    let [corners, triangles] =
-        lengths.map(|length| c_uint::try_from(length).expect("the mesh is small"));
+    let corners = mesh.triangles.as_flattened();
+    let count = c_uint::try_from(corners.len()).expect("the mesh is small");
+    // Triangles share no corners here, which changes nothing for Embree: it copies them to leaves.
+    let indices: Vec<c_uint> = (0..count).collect();
     // SAFETY: both buffers have the lengths that are passed, and are copied before the call
     // returns.
     unsafe {
         pinhole_embree_build(
             &mut scene.0,
-            mesh.corners.as_ptr(),
-            corners,
-            mesh.triangles.as_ptr(),
-            triangles,
+            corners.as_ptr(),
+            count,
+            indices.as_ptr(),
+            count / 3,
         );
     }
     let numbers = |ray: &Ray| {

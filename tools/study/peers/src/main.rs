@@ -40,8 +40,8 @@ fn main() {
         println!("skipped Embree: its headers are not installed (Debian: libembree-dev)");
     }
     for mesh in [
-        of_assignment("teapot.obj"),
-        of_assignment("bunny.obj"),
+        of_assignment("teapot"),
+        of_assignment("bunny"),
         ball(94),
         ball(354),
     ] {

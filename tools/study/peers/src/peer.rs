@@ -60,7 +60,7 @@ pub fn all(mesh: &Mesh, rays: &[Ray]) -> Vec<Peer> {
 fn ours<M: Model>(mesh: &Mesh, rays: &[Ray]) -> Cast {
     let wide = |[x, y, z]: [f32; 3]| Vector::new(x, y, z).map(f64::from);
     let mut world = World::default();
-    for corners in mesh.each() {
+    for corners in &mesh.triangles {
         let corners = corners.map(wide);
         world.add(0, Primitive::Triangle(Triangle { corners }));
     }
@@ -91,8 +91,15 @@ fn parry(mesh: &Mesh, rays: &[Ray]) -> Cast {
         let [x, y, z] = point.map(f64::from);
         Vector::new(x, y, z)
     };
-    let corners = mesh.corners.iter().copied().map(vector).collect();
-    let shape = TriMesh::new(corners, mesh.triangles.clone()).expect("a mesh has triangles");
+    let corners: Vec<_> = mesh
+        .triangles
+        .as_flattened()
+        .iter()
+        .copied()
+        .map(vector)
+        .collect();
+    let faces = (0..mesh.triangles.len() as u32).map(|at| [0, 1, 2].map(|corner| 3 * at + corner));
+    let shape = TriMesh::new(corners, faces.collect()).expect("a mesh has triangles");
     let ray = |ray: &Ray| Asked::new(vector(ray.origin.array()), vector(ray.direction.array()));
     let rays: Vec<_> = rays.iter().map(ray).collect();
     Box::new(move || {
