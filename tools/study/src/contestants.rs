@@ -90,60 +90,28 @@ pub trait HasKernels: HasTruth + Filtered + Into<Primitive> {
 /// The name of every shape's exact kernel.
 pub const EXACT: &str = "adaptive exact";
 
-/// A kernel that computes in `f64`, on `f64` and on `f32` data.
-fn in_f64<S, K>() -> Vec<Contestant<S>>
-where
-    S: HasTruth,
-    K: Kernel<S, f64>,
-    WidenedKernel<K>: Kernel<S::With<f32>, f32>,
-{
-    vec![
-        Contestant::new::<K, f64>(Data::F64, "f64"),
-        Contestant::new::<WidenedKernel<K>, f32>(Data::F32, "f64 on f32"),
-    ]
+/// Lists the kernels of each shape. All compute in `f64`, on `f64` and on `f32` data. Those that are
+/// named here also compute in `f32`; the exact kernel, which every shape has, does not.
+macro_rules! contestants {
+    ($($shape:ident: $($kernel:ty),*;)*) => {$(
+        impl HasKernels for $shape<f64> {
+            fn contestants() -> Vec<Contestant<Self>> {
+                vec![
+                    $(
+                        Contestant::new::<$kernel, f64>(Data::F64, "f64"),
+                        Contestant::new::<WidenedKernel<$kernel>, f32>(Data::F32, "f64 on f32"),
+                        Contestant::new::<$kernel, f32>(Data::F32, "f32"),
+                    )*
+                    Contestant::new::<Adaptive, f64>(Data::F64, "f64"),
+                    Contestant::new::<WidenedKernel<Adaptive>, f32>(Data::F32, "f64 on f32"),
+                ]
+            }
+        }
+    )*};
 }
 
-/// A kernel that computes in `f64` on either data, and also in `f32`.
-fn in_all_numbers<S, K>() -> Vec<Contestant<S>>
-where
-    S: HasTruth,
-    K: Kernel<S, f64> + Kernel<S::With<f32>, f32>,
-    WidenedKernel<K>: Kernel<S::With<f32>, f32>,
-{
-    let mut all = in_f64::<S, K>();
-    all.push(Contestant::new::<K, f32>(Data::F32, "f32"));
-    all
-}
-
-impl HasKernels for Sphere<f64> {
-    fn contestants() -> Vec<Contestant<Self>> {
-        [
-            in_all_numbers::<Self, sphere::Textbook>(),
-            in_all_numbers::<Self, sphere::Haines>(),
-            in_f64::<Self, Adaptive>(),
-        ]
-        .concat()
-    }
-}
-
-impl HasKernels for Plane<f64> {
-    fn contestants() -> Vec<Contestant<Self>> {
-        [
-            in_all_numbers::<Self, plane::ShiftedOrigin>(),
-            in_f64::<Self, Adaptive>(),
-        ]
-        .concat()
-    }
-}
-
-impl HasKernels for Triangle<f64> {
-    fn contestants() -> Vec<Contestant<Self>> {
-        [
-            in_all_numbers::<Self, triangle::MollerTrumbore>(),
-            in_all_numbers::<Self, triangle::MollerTrumboreEpsilon>(),
-            in_all_numbers::<Self, triangle::Woop>(),
-            in_f64::<Self, Adaptive>(),
-        ]
-        .concat()
-    }
+contestants! {
+    Sphere: sphere::Textbook, sphere::Haines;
+    Plane: plane::ShiftedOrigin;
+    Triangle: triangle::MollerTrumbore, triangle::MollerTrumboreEpsilon, triangle::Woop;
 }
