@@ -181,9 +181,9 @@ fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -
     answer
 }
 
-/// The exact t at which a ray hits a part.
-pub fn exact(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
-    of_each!(shape, shape => shape.exact(ray, min_t))
+/// The exact t at which a ray hits a shape, which it is known to hit.
+pub fn exact_hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Root {
+    of_each!(shape, shape => shape.exact_hit(ray, min_t))
 }
 
 #[cold]
@@ -192,7 +192,7 @@ fn comes_first_exactly(one: &Part, other: &Part, ray: &Ray<f64>, min_t: f64) -> 
     if one.shape == other.shape {
         return one.place < other.place;
     }
-    let met = |part: &Part| exact(&part.shape, ray, min_t).expect("a filter found this hit");
+    let met = |part: &Part| exact_hit(&part.shape, ray, min_t);
     let order = met(one).compare(&met(other));
     order.then(one.place.cmp(&other.place)).is_lt()
 }

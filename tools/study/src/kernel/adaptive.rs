@@ -29,6 +29,11 @@ pub trait Filtered: 'static {
 
     /// The answer by exact arithmetic; `None`, too, if a number is not finite.
     fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root>;
+
+    /// The exact t of a ray that is known to hit.
+    fn exact_hit(&self, ray: &Ray<f64>, min_t: f64) -> Root {
+        self.exact(ray, min_t).expect("the ray hits")
+    }
 }
 
 /// The kernel of every shape that is [`Filtered`]. The relative error of t is at most √u, and

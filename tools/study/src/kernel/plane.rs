@@ -84,6 +84,14 @@ impl Filtered for Plane<f64> {
         let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
         (beyond.sign() * down.sign() >= 0).then(|| Root::fraction(height, down))
     }
+
+    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
+        let n = self.normal.map(Dyadic::of);
+        let height = n
+            .clone()
+            .dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
+        Root::fraction(height, n.dot(ray.direction.map(Dyadic::of)))
+    }
 }
 
 /// The filter, given n·(p − e).

@@ -2,7 +2,7 @@
 //! loses too many digits, exactly.
 
 use crate::cast::bounds::are_in_range;
-use crate::cast::model::exact;
+use crate::cast::model::exact_hit;
 use crate::cast::world::Primitive;
 use crate::double_double::DoubleDouble;
 use crate::dyadic::Dyadic;
@@ -33,7 +33,7 @@ pub fn refined(
 
 /// t and the unit normal of a hit, each rounded from at least a hundred bits.
 fn exactly(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) {
-    let root = exact(shape, ray, min_t).expect("the exact caster found this hit");
+    let root = exact_hit(shape, ray, min_t);
     let along = match shape {
         Primitive::Plane(plane) => plane.normal.map(Dyadic::of),
         Primitive::Triangle(triangle) => {

@@ -182,4 +182,13 @@ impl Filtered for Triangle<f64> {
         }
         Some(Root::fraction(volume, determinant))
     }
+
+    /// n·(a − e) / n·d with n = (b − a) × (c − a). Where it passes the sides no longer matters, which
+    /// saves more than half of the multiplications.
+    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
+        let [a, b, c] = self.corners.map(|corner| corner.map(Dyadic::of));
+        let normal = (b - a.clone()).cross(c - a.clone());
+        let height = normal.clone().dot(a - ray.origin.map(Dyadic::of));
+        Root::fraction(height, normal.dot(ray.direction.map(Dyadic::of)))
+    }
 }
