@@ -10,7 +10,7 @@
 use std::ops::{Add, Mul, Neg, Sub};
 
 use num_bigint::BigInt;
-use num_traits::Signed;
+use num_traits::{Float, Signed};
 
 use crate::number::Real;
 use crate::vector::Vector;
@@ -45,18 +45,14 @@ const BITS: i64 = 128;
 impl Dyadic {
     /// A finite number, exactly.
     pub fn of(value: f64) -> Dyadic {
-        let bits = value.to_bits();
-        let (field, fraction) = ((bits >> 52) & 0x7ff, (bits & ((1 << 52) - 1)) as i64);
-        debug_assert!(field < 0x7ff, "only finite numbers are dyadic");
-        let (mantissa, exponent) = match field {
-            0 => (fraction, -1074),
-            _ => (fraction | (1 << 52), field as i64 - 1075),
-        };
+        debug_assert!(value.is_finite(), "only finite numbers are dyadic");
+        let (mantissa, exponent, sign) = value.integer_decode();
         let zeros = mantissa.trailing_zeros() % 64;
         let odd = i128::from(mantissa >> zeros);
-        let integer = Integer::Short(if bits >> 63 == 1 { -odd } else { odd });
-        let exponent = exponent + i64::from(zeros);
-        Dyadic { integer, exponent }
+        Dyadic {
+            integer: Integer::Short(if sign < 0 { -odd } else { odd }),
+            exponent: i64::from(exponent) + i64::from(zeros),
+        }
     }
 
     /// −1, 0 or 1.
