@@ -210,8 +210,7 @@ fn secondary_rays_hit_their_own_surface_unless_their_origin_is_offset() {
     let all = secondary::studied(2_000, SEED);
     for tally in &all {
         let is_moved = ["pbrt-v4", "Wächter–Binder"].contains(&tally.method);
-        let (most, least) = if is_moved { (10, 0) } else { (2_000, 0) };
-        assert!((least..=most).contains(&tally.self_hits), "{tally:?}");
+        assert!(!is_moved || tally.self_hits <= 10, "{tally:?}");
     }
     let computed = all.iter().filter(|tally| tally.method == "as computed");
     assert!(computed.map(|tally| tally.self_hits).sum::<u64>() > 1_000);
