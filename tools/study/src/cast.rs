@@ -1,12 +1,11 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, [`bounds`] tells how
-//! accurate their t must be, and [`rays`] makes the rays of a camera.
+//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`bounds`] tells how
+//! accurate their t must be.
 
 pub mod bounds;
 pub mod model;
-pub mod rays;
 pub mod slabs;
 pub mod tree;
 pub mod world;

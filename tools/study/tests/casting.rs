@@ -2,11 +2,11 @@
 //! first.
 
 use pinhole_study::cast::model::Exact;
-use pinhole_study::cast::rays::{camera, rays};
 use pinhole_study::cast::world::{Part, Primitive, View, World};
 use pinhole_study::cast::{Caster, Tally, first_hit};
 use pinhole_study::kernel::Camera;
 use pinhole_study::oracle::scene::sight;
+use pinhole_study::plan::casting::{camera, rays};
 use pinhole_study::random::Random;
 use pinhole_study::random_scene;
 use pinhole_study::shape::{Plane, Ray, Sphere, Triangle};
