@@ -183,8 +183,8 @@ impl Filtered for Triangle<f64> {
         Some(Root::fraction(volume, determinant))
     }
 
-    /// n·(a − e) / n·d with n = (b − a) × (c − a). Where it passes the sides no longer matters, which
-    /// saves more than half of the multiplications.
+    /// n·(a − e) / n·d with n = (b − a) × (c − a). Leaving out on which side of each edge the ray
+    /// passes saves more than half of the multiplications.
     fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
         let [a, b, c] = self.corners.map(|corner| corner.map(Dyadic::of));
         let normal = (b - a.clone()).cross(c - a.clone());
