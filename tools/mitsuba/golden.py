@@ -6,6 +6,7 @@ to standard error. Exit 0, or 2 when a scene is refused (the others are still ma
 """
 
 import argparse
+import faulthandler
 import json
 import multiprocessing
 import os
@@ -43,7 +44,13 @@ def render_own_questions(path, shape, name, folder):
     """The three films of the questions in a file of examples."""
     from own_questions import render
 
+    limit_time()
     return render(path, shape, name, folder)
+
+
+def limit_time():
+    """End this process if it runs for another minute. A student may have written the file."""
+    faulthandler.dump_traceback_later(60, exit=True)
 
 
 def render_ties(assignment, task, seed, folder):
@@ -130,6 +137,13 @@ def group_items(arguments, render, count_of):
     ]
 
 
+def own_question_items(arguments):
+    """The one item for a file of examples."""
+    limit_time()
+    folder = arguments.out / "probes"
+    return [(render_own_questions, (arguments.file, arguments.shape, arguments.name, folder))]
+
+
 def tie_items(arguments):
     """One item for each task of the assignment that has ties."""
     from tie_films import tasks
@@ -169,9 +183,7 @@ def main():
     own.add_argument("file", type=Path, metavar="FILE.toml")
     own.add_argument("--shape", required=True, help="what all of them are about")
     own.add_argument("--name", required=True, help="what to call the films")
-    own.set_defaults(items=lambda a: [
-        (render_own_questions, (a.file, a.shape, a.name, a.out / "probes"))
-    ])
+    own.set_defaults(items=own_question_items)
     ties = commands.add_parser("ties", help="draw questions of which many are exact ties")
     ties.set_defaults(items=tie_items)
     random = commands.add_parser("random-scenes", help="draw scenes and render them")
