@@ -154,6 +154,11 @@ impl Kind {
         self == Kind::ViewingRay
     }
 
+    /// Whether each question has only one right answer.
+    pub fn has_one_answer(self) -> bool {
+        self != Kind::Tree
+    }
+
     /// Whether the tests that an answer takes are counted.
     pub fn is_counted(self) -> bool {
         self == Kind::TreeSearch

@@ -215,7 +215,7 @@ pub struct Explain {
 /// Three significant digits are enough. If nothing is hit, write `hit = false`, and leave out `t`
 /// and `normal`. You may leave out a part of any answer, such as the normal, but then the example
 /// can't catch mistakes in that part. If a question has no answer yet, the command prints it in
-/// words. You get no points for examples.
+/// words. Examples earn points only if your assignment says so.
 ///
 /// If the task is about one shape, you can also choose a ray and a shape yourself. Write them in
 /// place of `group` and `question`, with the keys that the shape has in scene files:

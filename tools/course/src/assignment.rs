@@ -11,7 +11,8 @@ use pinhole::{Kind, Scene, ShapeKind};
 use crate::error::{Error, Result};
 
 pub use self::parts::{
-    DroppedGroup, DroppedPoints, EarlierAnswer, Finish, GroupPoints, ScenePoints, Task,
+    DroppedGroup, DroppedPoints, EXAMPLES, EarlierAnswer, ExamplePoints, Finish, GroupPoints,
+    ScenePoints, Task, examples_file,
 };
 
 /// An assignment: what students are asked to do, and the folder that defines it.
@@ -74,6 +75,11 @@ impl Assignment {
     pub fn answerable(&self) -> impl Iterator<Item = &Task> {
         let earlier = self.earlier.iter().map(|earlier| &earlier.task);
         self.tasks.iter().chain(earlier)
+    }
+
+    /// The tasks that give points for examples.
+    pub fn with_examples(&self) -> impl Iterator<Item = &Task> {
+        self.tasks.iter().filter(|task| task.examples.is_some())
     }
 
     /// The files around the answers, which are the same in every submission.

@@ -8,6 +8,7 @@
 //! mistake. Public questions can be chosen only among these.
 
 mod file;
+mod handed_in;
 mod own;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,6 +29,7 @@ use crate::goldens::Goldens;
 use crate::goldens::questions::QuestionFilm;
 pub use file::new_file;
 use file::{Entry, File};
+pub use handed_in::add_handed_in;
 use own::OwnQuestions;
 
 #[cfg(test)]
@@ -132,15 +134,26 @@ pub fn judge_file(
     assignment: &Assignment,
     checkout: &Checkout,
 ) -> Result<JudgedExamples> {
-    let wrong = Error::input(
-        path.display().to_string(),
-        "correct the file; `cargo pinhole examples` shows how it should look",
-    );
     let text = fs::read_to_string(path).or_input(
         path.display(),
         "name a file that can be read, or write one: cargo pinhole examples --new TASK",
     )?;
-    let file: File = toml::from_str(&text).or_fail(&wrong)?;
+    judge((path, &text), assignment, checkout, true)
+}
+
+/// Judges examples, given what their file is called and its text. Progress is shown if someone waits
+/// for the result (`interactive`).
+fn judge(
+    (path, text): (&Path, &str),
+    assignment: &Assignment,
+    checkout: &Checkout,
+    interactive: bool,
+) -> Result<JudgedExamples> {
+    let wrong = Error::input(
+        path.display().to_string(),
+        "correct the file; `cargo pinhole examples` shows how it should look",
+    );
+    let file: File = toml::from_str(text).or_fail(&wrong)?;
     let at = |place: usize, error: Error| {
         let line = text[..place].matches('\n').count() + 1;
         let problem = format!("{}:{line}: {}", path.display(), error.problem);
@@ -155,7 +168,10 @@ pub fn judge_file(
         let question = entry.get_ref().question(&mut own);
         questions.push(question.map_err(|error| at(entry.span().start, error))?);
     }
-    let answer = || OwnQuestions::answer((path, &text), &file.example, task, assignment, checkout);
+    let answer = || {
+        let file = (path, text, &file.example[..]);
+        OwnQuestions::answer(file, task, assignment, checkout, interactive)
+    };
     let own_questions = (own > 0).then(answer).transpose()?;
     let mut all = BTreeMap::new();
     for group in groups(task) {

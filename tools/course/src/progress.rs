@@ -28,6 +28,11 @@ impl Progress {
         Progress(bar)
     }
 
+    /// A line that is never shown.
+    pub fn hidden() -> Progress {
+        Progress(ProgressBar::hidden())
+    }
+
     /// Shows what is being done, if its duration is unknown.
     pub fn say(&self, what: &str) {
         self.show(what, 0.0);

@@ -11,7 +11,7 @@ mod tokens;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::assignment::{Assignment, Task};
+use crate::assignment::{Assignment, Task, examples_file};
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::shell::from_here;
@@ -27,6 +27,8 @@ pub struct Submission {
     /// One for each task, in the assignment's order. Then the answer of an earlier assignment, if
     /// it was handed in again.
     pub answers: Vec<Answer>,
+    /// The examples of each task that gives points for them.
+    pub examples: Vec<Answer>,
 }
 
 /// The answer file of one task.
@@ -104,9 +106,16 @@ impl Submission {
             let text = text::read(&place.join(task.file()))?;
             answers.extend(Answer::of(assignment, task, text));
         }
+        let mut examples = Vec::new();
+        for task in assignment.with_examples() {
+            let task = task.name.clone();
+            let text = text::read(&place.join(examples_file(&task)))?;
+            examples.push(Answer { task, text });
+        }
         Ok(Some(Submission {
             folder: folder.into(),
             answers,
+            examples,
             place,
         }))
     }
@@ -174,11 +183,31 @@ impl Submission {
             let text = archive.text(&format!("{place}{}", task.file()));
             Answer::of(assignment, task, text)
         });
+        let answers = answers.collect();
+        let examples = assignment.with_examples().map(|task| Answer {
+            task: task.name.clone(),
+            text: archive.text(&format!("{place}{}", examples_file(&task.name))),
+        });
         Ok(Some(Submission {
-            answers: answers.collect(),
+            answers,
+            examples: examples.collect(),
             folder: path.into(),
             place: path.into(),
         }))
+    }
+
+    /// The answers and the examples: the name of each file, and its text.
+    pub fn files(&self) -> impl Iterator<Item = (String, &Text)> {
+        let answers = self.answers.iter();
+        let answers = answers.map(|it| (format!("{}.rs", it.task), &it.text));
+        let examples = self.examples.iter();
+        answers.chain(examples.map(|it| (examples_file(&it.task), &it.text)))
+    }
+
+    /// The text of the answer file or the file of examples that has this name.
+    pub fn text(&self, file: &str) -> Option<&Text> {
+        let (_, text) = self.files().find(|(name, _)| name == file)?;
+        Some(text)
     }
 
     /// The answer to this task.

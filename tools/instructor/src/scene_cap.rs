@@ -21,8 +21,12 @@ pub fn most_for_scenes(
     let capped = outcome.scenes.iter().zip(needs).map(|(scene, needs)| {
         let tasks = outcome.tasks.iter();
         // A task whose groups are all dropped doesn't count here.
-        let needed = tasks.filter(|task| needs.contains(&task.name.as_str()) && task.possible > 0);
-        let shares = needed.map(|task| share([(task.points, task.possible)]));
+        let needed = tasks.filter(|task| needs.contains(&task.name.as_str()));
+        let points = needed.map(|task| {
+            let groups = task.groups_of_questions();
+            total(groups.map(|group| (group.points, group.possible)))
+        });
+        let shares = points.filter(|it| it.1 > 0).map(|it| share([it]));
         let smallest = shares.fold(1.0, f64::min);
         let most = match needs.iter().all(|task| fresh_needs.contains(task)) {
             true => smallest.max(of_fresh),
@@ -36,15 +40,18 @@ pub fn most_for_scenes(
 
 /// Earned points divided by possible ones.
 fn share(points: impl IntoIterator<Item = (u32, u32)>) -> f64 {
-    let (earned, possible) = points
-        .into_iter()
-        .fold((0, 0), |(a, b), (c, d)| (a + c, b + d));
+    let (earned, possible) = total(points);
     f64::from(earned) / f64::from(possible.max(1))
+}
+
+fn total(points: impl IntoIterator<Item = (u32, u32)>) -> (u32, u32) {
+    let points = points.into_iter();
+    points.fold((0, 0), |(a, b), (c, d)| (a + c, b + d))
 }
 
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
 
     use super::*;
 
@@ -54,9 +61,21 @@ mod tests {
     /// `plane`.
     fn most(sphere: u32, plane: u32, fresh: u32, fresh_needs: &[&str]) -> u32 {
         let task = |name: &str, points: u32| {
+            let group = |points: u32, possible: u32, outcome: Value| {
+                json!({
+                    "name": "a", "about": "", "points": points, "possible": possible,
+                    "outcome": outcome, "worst": [], "fails_fresh": false,
+                })
+            };
+            // Points for examples that are lost cost the scenes nothing.
+            let examples = json!({ "kind": "examples", "passes": false, "says": "" });
+            let groups = [
+                group(points, 10, json!({ "kind": "unanswered" })),
+                group(0, 2, examples),
+            ];
             json!({
-                "name": name, "chapter": "", "points": points, "possible": 10,
-                "file": { "state": "compiled" }, "groups": [], "diagnosis": null,
+                "name": name, "chapter": "", "points": points, "possible": 12,
+                "file": { "state": "compiled" }, "groups": groups, "diagnosis": null,
             })
         };
         let scene = |name: &str, points: u32, possible: u32| {

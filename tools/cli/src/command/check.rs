@@ -13,6 +13,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::examples::add_handed_in;
 use pinhole_course::explanation::{Mitsuba, PixelAsker};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{AnswerFile, Examination, Outcome, TaskOutcome};
@@ -89,9 +90,11 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         known: None,
         progress: &|what, share| progress.show(what, share),
     };
-    let examination = examiner.examine(&submission, &selection)?;
-    let outcome = &examination.outcome;
+    let mut examination = examiner.examine(&submission, &selection)?;
     progress.clear();
+    let outcome = &mut examination.outcome;
+    add_handed_in(outcome, &submission, &assignment, checkout, true)?;
+    let outcome = &examination.outcome;
 
     let path = match &arguments.report {
         Some(path) => Some(path.clone()),
@@ -135,7 +138,11 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         }
         let zip = packed.map(|(zip, files)| {
             let zip = printable(&zip.display().to_string());
-            let answers = if files == 1 { "answer" } else { "answers" };
+            let answers = match (files, submission.examples.is_empty()) {
+                (1, _) => "answer",
+                (_, true) => "answers",
+                (_, false) => "files",
+            };
             let rest = worth_of_packed(outcome, selection.is_everything());
             anstream::println!("packed: {zip} holds {files} {answers}; {rest}");
             zip

@@ -8,6 +8,7 @@ use clap::CommandFactory;
 use serde_json::json;
 
 use crate::cli::{Cli, Examples};
+use pinhole_course::assignment::examples_file;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::examples::{self, JudgedExample, JudgedExamples, Verdict};
@@ -19,7 +20,7 @@ pub fn run(checkout: &Checkout, arguments: &Examples) -> Result<Status> {
     let file = arguments.file.as_deref();
     let assignment = arguments.assignment.find(checkout, file)?;
     if let Some(task) = &arguments.new {
-        let named = format!("{task}.examples.toml");
+        let named = examples_file(task);
         let file = file.unwrap_or(Path::new(&named));
         write_new(file, &examples::new_file(task, &assignment, file)?)?;
         let shown = printable(&file.display().to_string());

@@ -103,9 +103,25 @@ impl Assignment {
                 "give a `shape` to a task that intersects a shape, and to no other task",
             ));
         }
+        let mut unfair = file.task.iter().filter(|task| !task.has_fair_examples());
+        if let Some((task, examples)) = unfair
+            .next()
+            .and_then(|it| Some((it, it.examples.as_ref()?)))
+        {
+            let line = text[..examples.span().start].matches('\n').count() + 1;
+            return Err(Error::input(
+                format!(
+                    "{}:{line}: `{}` can't have these `examples`",
+                    path.display(),
+                    task.name
+                ),
+                "give 1 point or more, and a `catch` above 0 and at most 1, to a task whose \
+                 questions have only one right answer each, and that has no group `examples`",
+            ));
+        }
         let is_group = |dropped: &DroppedGroup| {
             file.task.iter().any(|task| {
-                let mut groups = task.points.iter().map(|points| &points.group);
+                let mut groups = task.all_points().map(|points| points.group);
                 groups.any(|group| dropped.group == format!("{}.{group}", task.name))
             })
         };

@@ -3,6 +3,7 @@
 
 use pinhole::{Kind, ShapeKind};
 use serde::Deserialize;
+use toml::Spanned;
 
 /// One answer file and what it is worth.
 #[derive(Clone, Debug, Deserialize)]
@@ -18,6 +19,26 @@ pub struct Task {
     pub chapter: String,
     /// Groups of questions and their points, in the order they are shown.
     pub points: Vec<GroupPoints>,
+    /// Points for examples that students may hand in; `None` if there are none.
+    pub examples: Option<Spanned<ExamplePoints>>,
+}
+
+/// What the examples that a student hands in for a task are worth, all or nothing.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ExamplePoints {
+    /// Points, at least 1.
+    pub points: u32,
+    /// The share of the task's known mistakes that they must catch: more than 0, at most 1.
+    pub catch: f64,
+}
+
+/// The name of the group that stands for a task's examples.
+pub const EXAMPLES: &str = "examples";
+
+/// The name of the file with the examples of a task.
+pub fn examples_file(task: &str) -> String {
+    format!("{task}.examples.toml")
 }
 
 /// An answer to a task of an earlier assignment, which students may hand in again. Scenes are cast
@@ -50,6 +71,7 @@ impl From<EarlierEntry> for EarlierAnswer {
                 shape: entry.shape,
                 chapter: String::new(),
                 points: Vec::new(),
+                examples: None,
             },
         }
     }
@@ -120,6 +142,27 @@ impl Task {
         format!("{}.rs", self.name)
     }
 
+    /// Everything that earns points: the groups of questions, then the examples.
+    pub fn all_points(&self) -> impl Iterator<Item = GroupPoints> {
+        let examples = self.examples.iter().map(|examples| GroupPoints {
+            group: EXAMPLES.into(),
+            worth: examples.get_ref().points,
+            about: "questions whose answers you work out by hand".into(),
+        });
+        self.points.iter().cloned().chain(examples)
+    }
+
+    /// Whether somebody could earn its points for examples, if there are any.
+    pub(super) fn has_fair_examples(&self) -> bool {
+        let Some(ExamplePoints { points, catch }) = self.examples.as_ref().map(Spanned::get_ref)
+        else {
+            return true;
+        };
+        let is_free = self.points.iter().all(|points| points.group != EXAMPLES);
+        let is_share = *catch > 0.0 && *catch <= 1.0;
+        *points > 0 && is_share && is_free && self.kind.has_one_answer()
+    }
+
     pub(super) fn has_shape_if_it_takes_one(&self) -> bool {
         self.kind.takes_shape() == self.shape.is_some()
     }
@@ -151,6 +194,21 @@ mod tests {
             ("kind = \"soup\"\nshape = \"soup\"", false),
         ] {
             assert_eq!(task(text).has_shape_if_it_takes_one(), is_right, "{text}");
+        }
+    }
+
+    #[test]
+    fn examples_earn_points_only_if_somebody_could_earn_them() {
+        for (kind, points, catch, is_right) in [
+            ("soup", 1, 0.5, true),
+            ("soup", 0, 0.5, false),
+            ("soup", 1, 0.0, false),
+            ("soup", 1, 1.1, false),
+            ("tree", 1, 0.5, false),
+        ] {
+            let examples = format!("{{ points = {points}, catch = {catch:?} }}");
+            let text = format!("kind = {kind:?}\nexamples = {examples}");
+            assert_eq!(task(&text).has_fair_examples(), is_right, "{text}");
         }
     }
 }

@@ -5,6 +5,7 @@
 use std::ffi::OsStr;
 use std::fs;
 use std::path::Path;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pinhole::Shape;
 use pinhole::judge::judge;
@@ -39,11 +40,11 @@ impl OwnQuestions {
     /// Answers the own questions in a file of examples, whose text is `text`, with Mitsuba and
     /// with the known mistakes.
     pub fn answer(
-        (path, text): (&Path, &str),
-        entries: &[Spanned<Entry>],
+        (path, text, entries): (&Path, &str, &[Spanned<Entry>]),
         task: &Task,
         assignment: &Assignment,
         checkout: &Checkout,
+        interactive: bool,
     ) -> Result<OwnQuestions> {
         check((path, text), entries, task)?;
         if !mitsuba::is_there(checkout) {
@@ -54,31 +55,44 @@ impl OwnQuestions {
             let problem = "only Mitsuba can judge rays of your own, and it is not installed here";
             return Err(Error::environment(problem, remedy));
         }
-        let name = format!("examples-{}", std::process::id());
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        let number = NEXT.fetch_add(1, Ordering::Relaxed);
+        let name = format!("examples-{}-{number}", std::process::id());
         let folder = checkout.scratch().join(name);
         let mut own = OwnQuestions {
             goldens: Goldens::of_scenes(&folder, &[])?,
         };
-        own.make(path, task, assignment, checkout)?;
+        // Python's TOML is older than ours, and doesn't read all that a student may write.
+        let plain = text.parse::<toml::Table>();
+        let plain = plain.or_input(path.display(), "use numbers of ordinary size")?;
+        let file = folder.join("examples.toml");
+        fs::create_dir_all(&folder)
+            .and_then(|()| fs::write(&file, plain.to_string()))
+            .or_fail(&Error::file(&file))?;
+        let progress = match interactive {
+            true => Progress::new(),
+            false => Progress::hidden(),
+        };
+        own.make(&file, task, assignment, checkout, &progress)?;
         Ok(own)
     }
 
     /// Makes the films, and the fingerprints of the mistakes.
     fn make(
         &mut self,
-        path: &Path,
+        file: &Path,
         task: &Task,
         assignment: &Assignment,
         checkout: &Checkout,
+        progress: &Progress,
     ) -> Result<()> {
         let goldens = &mut self.goldens;
-        let progress = Progress::new();
         progress.say("Mitsuba");
         let shape = task.shape.map_or("", |shape| shape.name());
         let name = format!("{}.{OWN}", task.name);
         let line: [&OsStr; 8] = [
             "own-questions".as_ref(),
-            path.as_ref(),
+            file.as_ref(),
             "--shape".as_ref(),
             shape.as_ref(),
             "--name".as_ref(),
@@ -86,11 +100,16 @@ impl OwnQuestions {
             "--out".as_ref(),
             goldens.folder.as_ref(),
         ];
-        if let Some(refusal) = mitsuba::render(checkout, &line, None, &progress)?.refusal {
+        if let Some(refusal) = mitsuba::render(checkout, &line, None, progress)?.refusal {
             let remedy = "move its ray or its shape a little, or change `min_t`";
-            return Err(Error::input(refusal.problem, remedy));
+            let file = file.display().to_string();
+            let problem = refusal.problem.replace(&file, "the examples");
+            return Err(Error::input(problem, remedy));
         }
-        let film = goldens.probe(task, OWN)?;
+        let film = goldens.probe(task, OWN).map_err(|_| {
+            let problem = "an own ray or its shape has numbers that are too large";
+            Error::input(problem, "use numbers of ordinary size")
+        })?;
         progress.say("the mistakes");
         // Mitsuba computes in single precision, which is too little for a tiny shape far away.
         let reference = build(&assignment.reference(), assignment, checkout)?;
@@ -101,7 +120,8 @@ impl OwnQuestions {
             let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
             return Err(Error::input(problem, "use numbers of ordinary size"));
         }
-        let mut mistakes = mistake::read_all(assignment)?;
+        let ours = |error: Error| Error::environment(error.problem, error.remedy);
+        let mut mistakes = mistake::read_all(assignment).map_err(ours)?;
         mistakes.retain(|it| it.mistake.is_single() && it.mistake.fails.contains(&task.name));
         let answered = |folder: &MistakeFolder| {
             let program = build(&folder.folder, assignment, checkout)?;

@@ -1,5 +1,9 @@
 use super::*;
 use crate::checkout::Checkout;
+use crate::compile::Replacement;
+use crate::error::Fault;
+use crate::outcome::{Outcome, TaskOutcome};
+use crate::submission::{Answer, AnswerFileProblem, Submission};
 
 #[test]
 fn every_public_answer_is_right_when_rounded_to_three_digits() {
@@ -67,4 +71,48 @@ fn rays_of_ones_own_need_mitsuba_and_a_task_about_one_shape() {
         let error = judge_file(&file, &assignment, &nowhere).unwrap_err();
         assert!(error.problem.contains(problem), "{error}");
     }
+}
+
+#[test]
+fn examples_that_need_mitsuba_get_no_zero_without_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut assignment = Assignment::read(&Checkout::find().unwrap(), "ray_casting").unwrap();
+    let mut submission = Submission::find(&assignment.reference(), &assignment).unwrap();
+    let task = &mut assignment.tasks[2];
+    let text = "examples = { points = 2, catch = 0.5 }";
+    task.examples = toml::from_str::<BTreeMap<String, _>>(text)
+        .unwrap()
+        .remove("examples");
+    let missing = Replacement::Unusable(AnswerFileProblem::Missing);
+    let got = TaskOutcome::replaced(task, &missing);
+    let mut judge = |text: &str, interactive| {
+        let mut outcome = Outcome::new("", String::new(), "");
+        outcome.tasks.push(got.clone());
+        let (task, text) = (got.name.clone(), Ok(text.into()));
+        submission.examples = vec![Answer { task, text }];
+        let nowhere = Checkout::at(folder.path());
+        let added = add_handed_in(
+            &mut outcome,
+            &submission,
+            &assignment,
+            &nowhere,
+            interactive,
+        );
+        added.map(|()| format!("{:?}", outcome.tasks[0].groups.last()))
+    };
+    let ray = "ray = { e = [0, 0, 4], d = [0, 0, -2], min_t = 0 }";
+    let shape = "shape = { point = [0, 0, 0], normal = [0, 0, 1] }";
+    let own = format!("task = \"plane\"\n[[example]]\n{ray}\n{shape}\n");
+    assert_eq!(judge(&own, false).unwrap_err().fault, Fault::Environment);
+    let said = judge(&own, true).unwrap();
+    assert!(
+        said.contains("only Mitsuba can judge rays of your own"),
+        "{said}"
+    );
+    // The student's fault is judged in any case.
+    let said = judge("task = \"sphere\"", false).unwrap();
+    assert!(
+        said.contains("plane.examples.toml is about `sphere`"),
+        "{said}"
+    );
 }

@@ -59,6 +59,13 @@ pub enum FilmOutcome {
         /// What was wrong, in words.
         why: String,
     },
+    /// Examples that the student has worked out were judged. No code was asked.
+    Examples {
+        /// Whether they earn their points.
+        passes: bool,
+        /// The verdict, in words.
+        says: String,
+    },
     /// The student may not see what was asked, so the details are withheld.
     Withheld {
         /// Whether it earns its points.
@@ -100,7 +107,7 @@ impl FilmOutcome {
     pub fn passes(&self) -> bool {
         match self {
             FilmOutcome::Judged(comparison) => comparison.passes,
-            FilmOutcome::Withheld { passes, .. } => *passes,
+            FilmOutcome::Examples { passes, .. } | FilmOutcome::Withheld { passes, .. } => *passes,
             _ => false,
         }
     }
@@ -108,7 +115,7 @@ impl FilmOutcome {
     /// How it ended, in a word.
     pub fn status(&self) -> Status {
         match self {
-            FilmOutcome::Judged(_) => Status::Graded,
+            FilmOutcome::Judged(_) | FilmOutcome::Examples { .. } => Status::Graded,
             FilmOutcome::Refused { .. } | FilmOutcome::Garbled { .. } => Status::Unreadable,
             FilmOutcome::Unanswered | FilmOutcome::Blocked { .. } => Status::Unanswered,
             FilmOutcome::Panicked { .. } => Status::Panicked,

@@ -151,9 +151,15 @@ impl TaskOutcome {
         (self.points, self.possible) = sum(groups.map(|it| (it.points, it.possible)));
     }
 
-    /// Whether every group passes.
+    /// Its groups of questions, without the examples.
+    pub fn groups_of_questions(&self) -> impl Iterator<Item = &GroupOutcome> {
+        self.groups.iter().filter(|group| !group.is_of_examples())
+    }
+
+    /// Whether every group of questions passes.
     pub fn passes(&self) -> bool {
-        self.groups.iter().all(|group| group.outcome.passes())
+        let mut groups = self.groups_of_questions();
+        groups.all(|group| group.outcome.passes())
     }
 
     /// The line of the answer's file that the compiler's first message names, or at which the
@@ -180,7 +186,7 @@ impl TaskOutcome {
     /// Whether the answer is still `todo!`.
     pub fn is_unanswered(&self) -> bool {
         let unanswered = |group: &GroupOutcome| group.outcome == FilmOutcome::Unanswered;
-        !self.groups.is_empty() && self.groups.iter().all(unanswered)
+        !self.groups.is_empty() && self.groups_of_questions().all(unanswered)
     }
 
     /// How it ended: the worst status among its groups, unless the file itself could not be
@@ -214,6 +220,11 @@ impl GroupOutcome {
             worst,
             fails_fresh: false,
         }
+    }
+
+    /// Whether it stands for the task's examples. It then has no questions that code was asked.
+    pub fn is_of_examples(&self) -> bool {
+        matches!(self.outcome, FilmOutcome::Examples { .. })
     }
 }
 

@@ -122,6 +122,10 @@ fn every_film_outcome() -> Vec<FilmOutcome> {
         FilmOutcome::OutOfMemory { most: 1 << 30 },
         FilmOutcome::Died { how: "how".into() },
         FilmOutcome::Garbled { why: "why".into() },
+        FilmOutcome::Examples {
+            passes: false,
+            says: "why".into(),
+        },
         FilmOutcome::Withheld {
             passes: false,
             ended: Status::TimedOut,
@@ -138,6 +142,7 @@ fn an_outcome_is_read_back_as_it_was_written() {
         shape: Some(ShapeKind::Plane),
         chapter: "Plane".into(),
         points: Vec::new(),
+        examples: None,
     };
     let fact = Fact::new("got", "nothing\nat all");
     let groups = every_film_outcome()
@@ -160,7 +165,7 @@ fn an_outcome_is_read_back_as_it_was_written() {
             .push(SceneOutcome::new("s".into(), 2, film, Some(0.5)));
     }
     outcome.add_up();
-    assert_eq!((outcome.points, outcome.possible), (Some(0), 50));
+    assert_eq!((outcome.points, outcome.possible), (Some(0), 55));
     let text = serde_json::to_string(&outcome).expect("it can be written");
     let read: Outcome = serde_json::from_str(&text).expect("it can be read");
     assert_eq!(read, outcome);
@@ -189,6 +194,7 @@ fn submission_has_the_worst_status_of_its_tasks_and_scenes() {
         shape: Some(ShapeKind::Plane),
         chapter: "Plane".into(),
         points: Vec::new(),
+        examples: None,
     };
     let missing = Replacement::Unusable(AnswerFileProblem::Missing);
     outcome.tasks.push(TaskOutcome::replaced(&task, &missing));

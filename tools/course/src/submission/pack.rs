@@ -12,8 +12,8 @@ use crate::assignment::Assignment;
 use crate::error::{Error, Result, ResultExt};
 
 impl Submission {
-    /// Writes the answers to a ZIP file and returns their number. Replaces an existing file only
-    /// if it holds answers too.
+    /// Writes the answers and the examples to a ZIP file, and returns how many files they are.
+    /// Replaces an existing file only if it holds answers too.
     ///
     /// # Errors
     /// If the path holds something else, or the file cannot be written.
@@ -30,19 +30,18 @@ impl Submission {
             format!("cannot write {}", path.display()),
             "name a file in a folder you may write to",
         );
-        let answers = self.answers.iter();
-        let answers: Vec<(&str, &String)> = answers
-            .filter_map(|answer| Some((answer.task.as_str(), answer.text.as_ref().ok()?)))
-            .collect();
+        let files = self.files();
+        let files = files.filter_map(|(name, text)| Some((name, text.as_ref().ok()?)));
+        let files: Vec<(String, &String)> = files.collect();
         let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
-        for (task, text) in &answers {
-            zip.start_file(format!("{task}.rs"), SimpleFileOptions::default())
+        for (name, text) in &files {
+            zip.start_file(name, SimpleFileOptions::default())
                 .or_fail(&failed)?;
             zip.write_all(text.as_bytes()).or_fail(&failed)?;
         }
         let bytes = zip.finish().or_fail(&failed)?.into_inner();
         fs::write(path, bytes).or_fail(&failed)?;
-        Ok(answers.len())
+        Ok(files.len())
     }
 }
 

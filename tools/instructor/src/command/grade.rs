@@ -211,6 +211,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         let pace = Pace::measure(&assignment, &judges, checkout, least)?;
         let grader = Grader {
             assignment: &assignment,
+            checkout,
             goldens: &goldens,
             fresh: made.as_ref().map(|(goldens, _)| goldens),
             withheld,

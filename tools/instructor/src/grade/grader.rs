@@ -18,10 +18,12 @@ use super::provenance::{GradingInputs, Provenance};
 use super::record::{Record, SceneNeeds, Timings, explained};
 use super::redact::{Withheld, redact_scene};
 use super::shared_answers;
-use pinhole_course::assignment::Assignment;
+use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::{Attempt, Compiler, Program};
 use pinhole_course::error::Result;
 use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::examples::add_handed_in;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{Examination, Outcome, Status};
 use pinhole_course::sandbox::Sandbox;
@@ -36,6 +38,7 @@ const MOST_PRINTED: usize = 16 * 1024;
 /// Everything that the whole class is graded with.
 pub struct Grader<'a> {
     pub assignment: &'a Assignment,
+    pub checkout: &'a Checkout,
     pub goldens: &'a Goldens,
     /// Fresh questions; a group earns its points only if it passes these too.
     pub fresh: Option<&'a Goldens>,
@@ -107,7 +110,7 @@ impl Grader<'_> {
     /// The record of a submission before anything was asked.
     pub fn blank(&self, entry: &Entry, submission: &Submission) -> Record {
         let scenes = self.goldens.scenes.iter().map(|scene| scene.worth);
-        let groups = self.assignment.tasks.iter().flat_map(|task| &task.points);
+        let groups = self.assignment.tasks.iter().flat_map(Task::all_points);
         let (title, name) = (&self.assignment.title, entry.name.clone());
         let answers = submission.answers.iter().filter_map(|answer| {
             let hash = shared_answers::tokens(answer.text.as_ref().ok()?)?;
@@ -165,6 +168,8 @@ impl Grader<'_> {
             }
             _ => None,
         };
+        let outcome = &mut examination.outcome;
+        add_handed_in(outcome, submission, self.assignment, self.checkout, false)?;
         let asked = start.elapsed();
 
         let mut record = self.blank(entry, submission);

@@ -30,7 +30,7 @@ use self::reader::file_names;
 use self::roster::Person;
 use self::source::Source;
 use super::provenance::{self, sha256};
-use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::assignment::{Assignment, Task, examples_file};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission, text};
 
@@ -113,9 +113,9 @@ pub fn find(
 ) -> Result<Intake> {
     let is_on_roster = |name: &str| people.is_some_and(|it| matching::is_somebody(name, it));
     let is_id = |name: &str| people.is_some_and(|it| matching::is_id(name, it));
-    let is_task = |name: &str| task_names::task_of(name, assignment).is_some();
+    let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();
     let is_answer =
-        |name: &str| is_task(name) || names::platforms(name).iter().any(|it| is_task(it.rest));
+        |name: &str| is_wanted(name) || names::platforms(name).iter().any(|it| is_wanted(it.rest));
     let mut sources = Vec::new();
     for path in paths {
         let mut source = Source {
@@ -208,11 +208,20 @@ fn entry(
 /// The answer files without usable text, and why. Files with the same problem are named together.
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     let mut found: Vec<(&AnswerFileProblem, Vec<String>)> = Vec::new();
-    for (task, answer) in assignment.tasks.iter().zip(&submission.answers) {
+    let answers = assignment
+        .tasks
+        .iter()
+        .map(Task::file)
+        .zip(&submission.answers);
+    // Nobody needs to hand in examples.
+    let examples = submission.examples.iter();
+    let examples = examples.filter(|it| it.text != Err(AnswerFileProblem::Missing));
+    let examples = examples.map(|it| (examples_file(&it.task), it));
+    for (file, answer) in answers.chain(examples) {
         let Err(problem) = &answer.text else { continue };
         match found.iter_mut().find(|(other, _)| *other == problem) {
-            Some((_, files)) => files.push(task.file()),
-            None => found.push((problem, vec![task.file()])),
+            Some((_, files)) => files.push(file),
+            None => found.push((problem, vec![file])),
         }
     }
     let in_words = |(problem, files): (&AnswerFileProblem, Vec<String>)| {
@@ -277,6 +286,7 @@ pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
         folder: PathBuf::from(&entry.name),
         place: PathBuf::from(&entry.name),
         answers: assignment.tasks.iter().map(answer).collect(),
+        examples: assignment.with_examples().map(answer).collect(),
     }
 }
 

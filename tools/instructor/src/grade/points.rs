@@ -17,7 +17,7 @@ pub fn compute(record: &mut Record, assignment: &Assignment) {
             continue;
         };
         for group in &mut outcome.groups {
-            let worth = task.points.iter().find(|it| it.group == group.name);
+            let worth = task.all_points().find(|it| it.group == group.name);
             let worth = worth.map_or(group.possible, |points| points.worth);
             give(group, worth, dropped(assignment, &task.name, &group.name));
         }
@@ -128,6 +128,7 @@ mod tests {
                 shape: None,
                 chapter: String::new(),
                 points: vec![group("edges", edges), group("front", front)],
+                examples: None,
             }],
             scenes: vec![ScenePoints {
                 name: "lone".into(),

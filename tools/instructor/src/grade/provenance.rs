@@ -7,7 +7,7 @@ use hmac_sha256::Hash;
 use serde::{Deserialize, Serialize};
 
 use super::redact::Reveal;
-use pinhole_course::assignment::Assignment;
+use pinhole_course::assignment::{Assignment, EXAMPLES, examples_file};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::rust_tool::rust_tool;
@@ -19,7 +19,7 @@ use pinhole_course::submission::{AnswerFileProblem, Submission};
 #[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 pub struct Provenance {
-    /// For each task, the hash of the answer's file, or why there is none.
+    /// For each task and each file of examples, the hash of the file, or why there is none.
     pub answers: Vec<(String, String)>,
     #[serde(flatten)]
     pub made_with: GradingInputs,
@@ -131,15 +131,18 @@ impl Provenance {
 
 /// See [`Provenance::answers`].
 pub fn of_answers(submission: &Submission) -> Vec<(String, String)> {
-    let answers = submission.answers.iter().map(|answer| {
+    let answers = submission.answers.iter().map(|it| (it.task.clone(), it));
+    let examples = submission.examples.iter();
+    let examples = examples.map(|it| (examples_file(&it.task), it));
+    let states = answers.chain(examples).map(|(name, answer)| {
         let state = match &answer.text {
             Ok(text) => sha256(text.as_bytes()),
             Err(AnswerFileProblem::Missing) => "missing".into(),
             Err(AnswerFileProblem::Refused(why)) => format!("refused: {why}"),
         };
-        (answer.task.clone(), state)
+        (name, state)
     });
-    answers.collect()
+    states.collect()
 }
 
 /// The hash of a file's content.
@@ -179,6 +182,9 @@ fn questions(text: &str) -> std::result::Result<String, toml::de::Error> {
         .flatten()
         .filter_map(toml::Value::as_table_mut);
     for part in parts {
+        if let Some(toml::Value::Table(examples)) = part.get_mut(EXAMPLES) {
+            examples.remove("points");
+        }
         match part.get_mut("points") {
             Some(toml::Value::Array(groups)) => groups
                 .iter_mut()
@@ -202,12 +208,15 @@ mod tests {
     #[test]
     fn changed_points_keep_the_hash_and_changed_groups_or_scenes_do_not() {
         let file = "[[task]]\nname = \"plane\"\npoints = [[\"back\", 2, \"about\"]]\n\
+                    examples = { points = 3, catch = 0.5 }\n\
                     [[scene]]\nname = \"lone\"\npoints = 1\n";
         let same = |was: &str, becomes: &str| {
             assert!(file.contains(was), "{was}");
             questions(file).unwrap() == questions(&file.replace(was, becomes)).unwrap()
         };
         assert!(same("2,", "7,"));
+        assert!(same("points = 3", "points = 5"));
+        assert!(!same("catch = 0.5", "catch = 0.8"));
         assert!(same("points = 1", "points = 9"));
         assert!(same(
             "[[scene]]",

@@ -3,7 +3,7 @@
 
 use super::sources::read_text;
 use super::{Files, place_of};
-use pinhole_course::assignment::{Assignment, ScenePoints};
+use pinhole_course::assignment::{Assignment, ScenePoints, Task, examples_file};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result};
 
@@ -34,8 +34,10 @@ pub fn adapt(files: &mut Files, assignment: &Assignment, checkout: &Checkout) ->
     let scene = assignment.scenes.iter().find(|scene| scene.public);
     let scene = scene.map_or("SCENE", |scene| &scene.name);
     let fill = |text: &str| {
-        let tasks = assignment.tasks.iter();
-        let answers: Vec<String> = tasks.map(|task| format!("`{}`", task.file())).collect();
+        let examples = assignment.with_examples();
+        let examples = examples.map(|task| examples_file(&task.name));
+        let files = assignment.tasks.iter().map(Task::file).chain(examples);
+        let answers: Vec<String> = files.map(|file| format!("`{file}`")).collect();
         text.replace("<!-- points -->", points(assignment).trim_end())
             .replace("<!-- answers -->", &answers.join(", "))
             .replace("<!-- folder -->", &folder)
@@ -98,6 +100,10 @@ fn points(assignment: &Assignment) -> String {
     for task in &assignment.tasks {
         let worth: u32 = task.points.iter().map(|group| group.worth).sum();
         table.push_str(&format!("| `{}` | {worth} |\n", task.file()));
+        if let Some(examples) = &task.examples {
+            let (file, worth) = (examples_file(&task.name), examples.get_ref().points);
+            table.push_str(&format!("| `{file}` | {worth} |\n"));
+        }
     }
     let (public, withheld): (Vec<_>, Vec<_>) =
         assignment.scenes.iter().partition(|scene| scene.public);

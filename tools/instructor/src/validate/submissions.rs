@@ -100,6 +100,7 @@ fn stub(validator: &Validator) -> Result<Submission> {
         folder: validator.assignment.handout(),
         place: validator.assignment.handout().join("src"),
         answers: answers.collect(),
+        examples: Vec::new(),
     })
 }
 

@@ -173,7 +173,7 @@ fn name_that_matches_nothing_is_an_error() {
 }
 
 /// A copy of the assignment's folders that one test may change.
-fn copy(test: &str) -> PathBuf {
+pub fn copy(test: &str) -> PathBuf {
     let course = fresh(&trusted(), test);
     let from = root().join("tools/instructor/tests/fixture");
     let mut folders = vec![from.clone()];

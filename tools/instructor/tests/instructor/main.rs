@@ -1,6 +1,7 @@
 //! The real program on the real course: real Mitsuba, oiiotool, compiler, sandbox.
 
 mod diagnosis;
+mod examples;
 mod fixture;
 mod golden;
 mod grade;

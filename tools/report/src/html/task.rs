@@ -10,6 +10,7 @@ use crate::escape::printable;
 use crate::passage::Passage;
 use crate::terminal;
 use pinhole::Fact;
+use pinhole_course::assignment::EXAMPLES;
 use pinhole_course::outcome::{
     AnswerFile, FilmOutcome, GroupOutcome, GroupPicture, Picture, TaskOutcome,
 };
@@ -27,8 +28,7 @@ pub struct TaskSection {
     pub said: String,
     /// Whether anything was answered. If not, there is no more to say.
     pub attempted: bool,
-    /// Whether the stub was judged instead of it.
-    pub replaced: bool,
+    /// Its groups, but only that of its examples if the code was not asked.
     pub groups: Vec<GroupRow>,
     /// The compiler's messages about its file: errors, or else warnings.
     pub compiler: Option<String>,
@@ -68,6 +68,10 @@ impl TaskSection {
             _ => (!task.warnings.is_empty()).then(|| plain(&task.warnings)),
         };
         let replaced = task.file != AnswerFile::Compiled;
+        let mut groups = rows(task, pictures);
+        if replaced || task.is_unanswered() {
+            groups.retain(|row| row.name == EXAMPLES);
+        }
         TaskSection {
             id: format!("task-{k}"),
             name: task.name.clone(),
@@ -75,9 +79,8 @@ impl TaskSection {
             earned: task.points,
             possible: task.possible,
             said: terminal::task_in_words(task),
-            attempted: replaced || !task.is_unanswered(),
-            replaced,
-            groups: rows(task, pictures),
+            attempted: replaced || !groups.is_empty(),
+            groups,
             compiler,
             beliefs: Beliefs::of(&task.diagnosis, &[]),
             measured: task.measured.iter().map(|it| it.says.clone()).collect(),

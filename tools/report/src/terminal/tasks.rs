@@ -42,12 +42,16 @@ pub fn rows(text: &mut String, task: &TaskOutcome, width: usize, extent: Extent)
     for Explanation { mistake, .. } in hinted {
         line(text, format!("    hint: {}", mistake.hint.look));
     }
-    if task.file == AnswerFile::Compiled && !task.is_unanswered() {
+    let mut shown = failing.clone();
+    if task.file != AnswerFile::Compiled || task.is_unanswered() {
+        shown.retain(|group| group.is_of_examples());
+    }
+    if !shown.is_empty() {
         let most = match extent {
-            Extent::All => failing.len(),
+            Extent::All => shown.len(),
             Extent::First => 1,
         };
-        let (told, others) = failing.split_at(most.min(failing.len()));
+        let (told, others) = shown.split_at(most.min(shown.len()));
         group_rows(text, told, !task.diagnosis.is_empty());
         let others: Vec<&str> = others.iter().map(|group| group.name.as_str()).collect();
         if !others.is_empty() {

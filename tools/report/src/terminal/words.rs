@@ -127,6 +127,7 @@ pub fn outcome_of(outcome: &FilmOutcome, what: &str) -> String {
             let why = printable(why);
             format!("your program's answers could not be read: {why}")
         }
+        FilmOutcome::Examples { says, .. } => printable(says),
         FilmOutcome::Withheld { passes: true, .. } => "passes".into(),
         FilmOutcome::Withheld {
             points_only: true, ..

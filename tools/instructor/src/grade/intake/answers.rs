@@ -8,8 +8,8 @@ use super::hand_in::Upload;
 
 use super::reader::Content;
 use super::reader::file_names::{first, quoted};
-use super::task_names::{is_similar, task_of};
-use pinhole_course::assignment::{Assignment, Task};
+use super::task_names::{file_of, is_similar};
+use pinhole_course::assignment::{Assignment, Task, examples_file};
 use pinhole_course::stubs;
 use pinhole_course::submission::text::Text;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission};
@@ -63,14 +63,14 @@ impl Candidate<'_> {
 pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result<Choice, String> {
     let mut refused = Vec::new();
     let mut others = Vec::new();
-    let mut candidates: Vec<(&Task, Candidate)> = Vec::new();
+    let mut candidates: Vec<(String, Candidate)> = Vec::new();
     for upload in uploads {
         match &upload.content {
             Content::Unreadable(why) => return Err(format!("`{}`: {why}", upload.name(name))),
             Content::Refused(why) => refused.push(format!("`{}`: {why}", upload.name(name))),
             Content::Answer { text, note } => {
                 let name = upload.path.last().map(String::as_str).unwrap_or_default();
-                let Some((task, is_exact)) = task_of(name, assignment) else {
+                let Some((file, is_exact)) = file_of(name, assignment) else {
                     others.push(upload.name(name));
                     continue;
                 };
@@ -80,7 +80,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
                     note: *note,
                     is_exact,
                 };
-                candidates.push((task, candidate));
+                candidates.push((file, candidate));
             }
             Content::Other => others.push(upload.name(name)),
             Content::Folder => {}
@@ -101,15 +101,23 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
             folder: PathBuf::from(name),
             place: PathBuf::from(name),
             answers: Vec::new(),
+            examples: Vec::new(),
         },
         notes: Vec::new(),
         doubts: Vec::new(),
     };
     let mut replaced = Vec::new();
-    for task in assignment.answerable() {
-        let own = candidates
-            .iter()
-            .filter(|(other, _)| other.name == task.name);
+    let examples = assignment.with_examples().map(|task| (task, true));
+    for (task, is_of_examples) in assignment
+        .answerable()
+        .map(|task| (task, false))
+        .chain(examples)
+    {
+        let file = match is_of_examples {
+            true => examples_file(&task.name),
+            false => task.file(),
+        };
+        let own = candidates.iter().filter(|(other, _)| *other == file);
         let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
         if own.is_empty() && assignment.task(&task.name).is_none() {
             continue;
@@ -117,18 +125,21 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         let text = match own.is_empty() {
             true if refused.is_empty() => Err(AnswerFileProblem::Missing),
             true => Err(AnswerFileProblem::Refused(first(&refused).join("; "))),
-            false => choice.of(task, &own),
+            false => choice.of(&file, &own),
         };
-        choice
-            .submission
-            .answers
-            .extend(Answer::of(assignment, task, text));
+        let (submission, name) = (&mut choice.submission, task.name.clone());
+        match is_of_examples {
+            true => submission.examples.push(Answer { task: name, text }),
+            false => submission
+                .answers
+                .extend(Answer::of(assignment, task, text)),
+        }
         let newest = own.iter().map(|one| one.upload.order).max();
         let is_older = |one: &&&Candidate| Some(one.upload.order) < newest;
-        let text = choice.submission.answer(&task.name).map(|it| &it.text);
+        let text = choice.submission.text(&file);
         let differs = |one: &&Candidate| text.is_some_and(|text| said(text) != said(one.text));
         if own.iter().filter(is_older).any(differs) {
-            replaced.push(task.file());
+            replaced.push(file);
         }
     }
     if !replaced.is_empty() {
@@ -146,11 +157,10 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         let mut places = inside.map(|rest| course.join(rest.iter().collect::<PathBuf>()));
         places.any(|place| place.is_file())
     };
-    let differs = |(task, one): &&(&Task, Candidate)| {
-        let own = choice.submission.answers.iter();
-        let mut own = own.filter(|answer| answer.task == task.name);
-        let is_other = own.any(|answer| said(&answer.text) != said(one.text));
-        is_other && !is_stub(one.text, task, assignment)
+    let differs = |(file, one): &&(String, Candidate)| {
+        let own = choice.submission.text(file);
+        let is_other = own.is_some_and(|text| said(text) != said(one.text));
+        is_other && !is_stub(one.text, file, assignment)
     };
     let outside = elsewhere.iter().filter(differs).map(|(_, one)| one);
     let outside: Vec<String> = outside
@@ -183,7 +193,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
 
 impl Choice {
     /// The text of the best candidate, if one is better than all others.
-    fn of(&mut self, task: &Task, all: &[&Candidate]) -> Text {
+    fn of(&mut self, file: &str, all: &[&Candidate]) -> Text {
         let newest = all.iter().map(|one| one.upload.order).max();
         let mut best: Vec<&&Candidate> = all.iter().collect();
         best.retain(|one| Some(one.upload.order) == newest);
@@ -193,7 +203,6 @@ impl Choice {
         let is_exact = best.iter().any(|one| one.is_exact);
         best.retain(|one| one.is_exact == is_exact);
 
-        let file = task.file();
         let texts: BTreeSet<&str> = best.iter().map(|one| said(one.text)).collect();
         if texts.len() > 1 {
             let paths: Vec<String> = best.iter().map(|one| one.path()).collect();
@@ -235,7 +244,7 @@ impl Choice {
         let own = answers.find(|answer| answer.task == task.name);
         let why = match own.map(|own| &own.text) {
             Some(Err(AnswerFileProblem::Missing)) => "is missing",
-            Some(text) if is_stub(text, task, assignment) => "is the stub, unchanged",
+            Some(text) if is_stub(text, &task.file(), assignment) => "is the stub, unchanged",
             _ => return,
         };
         let similar = others.iter().filter(|path| {
@@ -253,9 +262,9 @@ impl Choice {
     }
 }
 
-/// Whether this is a task's stub.
-fn is_stub(text: &Text, task: &Task, assignment: &Assignment) -> bool {
-    let stub = assignment.handout().join("src").join(task.file());
+/// Whether this is the stub in `file`.
+fn is_stub(text: &Text, file: &str, assignment: &Assignment) -> bool {
+    let stub = assignment.handout().join("src").join(file);
     let stub = fs::read_to_string(stub).unwrap_or_default();
     let text = text.as_ref();
     text.is_ok_and(|text| stubs::is_unchanged(&stub, text))

@@ -1,19 +1,23 @@
 //! Recognises answers by their files' names, even if people or programs have changed them.
 
-use pinhole_course::assignment::{Assignment, Task};
+use pinhole_course::assignment::{Assignment, Task, examples_file};
 
-/// The task that a file of this name may answer, and whether the name is exactly the one that
-/// was handed out. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
+/// The answer file, or the file of examples, that a file of this name may be, and whether its name
+/// is exactly that. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
 /// (1).rs`, `sphere 2.rs`, `sphere.rs.txt`, `Kopie von sphere.rs`.
-pub fn task_of<'a>(name: &str, assignment: &'a Assignment) -> Option<(&'a Task, bool)> {
-    let exact = assignment.answerable().find(|task| task.file() == name);
-    if let Some(task) = exact {
-        return Some((task, true));
+pub fn file_of(name: &str, assignment: &Assignment) -> Option<(String, bool)> {
+    let answers = assignment.answerable().map(Task::file);
+    let examples = assignment.with_examples();
+    let examples = examples.map(|task| examples_file(&task.name));
+    let files: Vec<String> = answers.chain(examples).collect();
+    if files.iter().any(|file| file == name) {
+        return Some((name.into(), true));
     }
-    let plain = plain_stem(name)?;
-    let mut tasks = assignment.answerable();
-    let task = tasks.find(|task| joined(&task.name) == plain)?;
-    Some((task, false))
+    let is_meant = |file: &String| {
+        let (stem, end) = file.rsplit_once('.').unwrap_or((file, ""));
+        plain_stem(name, end) == Some(joined(stem))
+    };
+    Some((files.into_iter().find(is_meant)?, false))
 }
 
 /// Whether a file's name contains a task's name.
@@ -26,12 +30,12 @@ fn joined(name: &str) -> String {
     name.to_lowercase().replace([' ', '-', '_'], "")
 }
 
-/// A source file's name without its extension, in lower case, and without spaces and marks of a
+/// A file's name without its extension, which must be `end`, in lower case, and without spaces and marks of a
 /// copy.
-fn plain_stem(name: &str) -> Option<String> {
+fn plain_stem(name: &str, end: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();
     let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
-    let mut stem = lower.strip_suffix(".rs")?.trim();
+    let mut stem = lower.strip_suffix(end)?.strip_suffix('.')?.trim();
     let before = COPY
         .iter()
         .find_map(|(before, _)| stem.strip_prefix(before));
@@ -96,7 +100,11 @@ mod tests {
             "TriangleSoup.rs",
             "triangle_soup.rs.txt",
         ] {
-            assert_eq!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
+            assert_eq!(
+                plain_stem(name, "rs").as_deref(),
+                Some("trianglesoup"),
+                "{name}"
+            );
         }
         for name in [
             "triangle_soup.rs~",
@@ -104,7 +112,13 @@ mod tests {
             "soup.rs",
             "triangle_soup.c",
         ] {
-            assert_ne!(plain_stem(name).as_deref(), Some("trianglesoup"), "{name}");
+            assert_ne!(
+                plain_stem(name, "rs").as_deref(),
+                Some("trianglesoup"),
+                "{name}"
+            );
         }
+        let examples = plain_stem("Copy of Soup.examples (1).toml", "toml");
+        assert_eq!(examples.as_deref(), Some("soup.examples"));
     }
 }

@@ -130,12 +130,14 @@ fn unexplained(task: &TaskOutcome) -> Option<UnexplainedAnswer> {
     if !task.diagnosis.is_empty() || task.measured.is_empty() || task.passes() {
         return None;
     }
-    let failing = task.groups.iter().filter(|group| !group.outcome.passes());
+    let failing = task.groups_of_questions();
+    let failing = failing.filter(|group| !group.outcome.passes());
     let failing = failing.map(|group| match &group.outcome {
         FilmOutcome::Judged(comparison) => format!("{} ({})", group.name, comparison.failing),
         other => format!("{} ({})", group.name, other.status().word()),
     });
-    let mut shown = task.groups.iter().filter(|group| !group.worst.is_empty());
+    let groups = task.groups_of_questions();
+    let mut shown = groups.filter(|group| !group.worst.is_empty());
     Some(UnexplainedAnswer {
         chapter: task.chapter.clone(),
         measured: task.measured.iter().map(|it| it.says.clone()).collect(),

@@ -42,6 +42,13 @@ fn outcome() -> Outcome {
         fails_fresh: true,
         ..group("fresh")
     };
+    let examples = GroupOutcome {
+        outcome: FilmOutcome::Examples {
+            passes: true,
+            says: String::new(),
+        },
+        ..group("examples")
+    };
     let scene = |name: &str| SceneOutcome {
         diagnosis: diagnosis.clone(),
         ..SceneOutcome::new(name.into(), 1, wrong(), Some(0.25))
@@ -57,7 +64,7 @@ fn outcome() -> Outcome {
         points: 0,
         possible: 3,
         file: AnswerFile::Compiled,
-        groups: vec![group("front"), group("scenes"), fresh],
+        groups: vec![group("front"), group("scenes"), fresh, examples],
         diagnosis: diagnosis.clone(),
         measured: vec![measured],
         warnings: String::new(),
@@ -122,6 +129,7 @@ fn only_what_is_withheld_is_redacted_and_only_as_far_as_chosen() {
                     "{case}: {name}"
                 );
             }
+            assert_eq!(task.groups[3], was.groups[3], "{case}: examples are public");
             let most = or_full(probes);
             let is_diagnosed = task.diagnosis == was.diagnosis;
             assert_eq!(is_diagnosed, most >= Reveal::Picture, "{case}");
@@ -184,7 +192,7 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
                 reveal,
             };
             let mut outcome = outcome();
-            outcome.tasks[0].groups.pop();
+            outcome.tasks[0].groups.truncate(2);
             let mut report = Report {
                 scenes: outcome.scenes.iter().map(section).collect(),
                 printed: vec!["words".into()],

@@ -90,10 +90,12 @@ fn parts(record: &Record) -> Vec<Part> {
             points: group.points,
             possible: group.possible,
             outcome: match task.file {
+                _ if group.is_of_examples() => group.outcome.status(),
                 AnswerFile::Compiled => group.outcome.status(),
                 _ => task.status(),
             },
             said: match task.file {
+                _ if group.is_of_examples() => shown(group).join("\n"),
                 AnswerFile::Compiled if group.points == group.possible => "passes".into(),
                 AnswerFile::Compiled => {
                     let help = help.take().unwrap_or_default();
@@ -143,6 +145,7 @@ fn shown(group: &GroupOutcome) -> Vec<String> {
     let facts = terminal::facts(&group.worst);
     match facts.is_empty() {
         true => vec![said],
+        false if group.is_of_examples() => vec![said, facts],
         false => vec![
             "One of the questions that were answered wrongly:".into(),
             facts,

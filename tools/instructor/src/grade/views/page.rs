@@ -353,10 +353,10 @@ fn parts(class: &Class, assignment: &Assignment) -> Vec<Part> {
         let of: Vec<_> = of.collect();
         let all = of.iter().map(|it| points(&it.task)).collect();
         parts.push(part(&task.name, &task.chapter, false, all));
-        for group in &task.points {
+        for group in task.all_points() {
             let groups = of.iter().filter_map(|task| {
                 let mut groups = task.groups.iter();
-                groups.find(|it| *it.name == *group.group).map(points)
+                groups.find(|it| *it.name == group.group).map(points)
             });
             parts.push(part(&group.group, &group.about, true, groups.collect()));
         }

@@ -307,7 +307,7 @@ fn no_name_harms_its_readers() {
         for meant in names::platforms(&name) {
             assert!(name.contains(meant.rest), "{name:?}");
         }
-        task_names::task_of(&name, &assignment);
+        task_names::file_of(&name, &assignment);
         assert!(name.starts_with(file_names::stem(&name)), "{name:?}");
         let id = plain(&name);
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-".contains(c);
