@@ -20,8 +20,8 @@ def render(path, shape, name, folder):
     The questions fill the first pixels, in the order of the file. To fill the last row, they
     are repeated.
     """
-    # Some editors begin a file with a byte order mark.
-    examples = tomllib.loads(path.read_text("utf-8-sig"))["example"]
+    with path.open("rb") as file:
+        examples = tomllib.load(file)["example"]
     questions = []
     for example in examples:
         if "ray" in example:

@@ -106,10 +106,7 @@ impl OwnQuestions {
             let problem = refusal.problem.replace(&file, "the examples");
             return Err(Error::input(problem, remedy));
         }
-        let film = goldens.probe(task, OWN).map_err(|_| {
-            let problem = "an own ray or its shape has numbers that are too large";
-            Error::input(problem, "use numbers of ordinary size")
-        })?;
+        let film = goldens.probe(task, OWN)?;
         progress.say("the mistakes");
         // Mitsuba computes in single precision, which is too little for a tiny shape far away.
         let reference = build(&assignment.reference(), assignment, checkout)?;
