@@ -49,12 +49,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         (false, None) if earlier.exists() => {
             let class = Roll::read(&earlier)?;
             replace::refuse_chosen_names(&roll, &class)?;
-            replace::refuse_other_policy(&roll, &class, true)?;
+            replace::refuse_other_rules(&roll, &class, true)?;
             roll.into_class(class)
         }
         (true, None) => {
             if let Ok(class) = Roll::read(&earlier) {
-                replace::refuse_other_policy(&roll, &class, false)?;
+                replace::refuse_other_rules(&roll, &class, false)?;
             }
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them";

@@ -38,21 +38,31 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     ))
 }
 
-/// Refuses to change the rules for everyone while single submissions are graded, and to forget them.
-pub fn refuse_other_policy(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
+/// Refuses to change the roster or the policy for submissions that are not passed now, and to forget
+/// the policy.
+pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
     let (new, old) = (&roll.policy, &class.policy);
-    let is_refused = match is_single {
-        true => new.is_some() && new != old,
-        false => new.is_none() && old.is_some(),
+    let is_here = |old: &Entry| roll.entries.iter().any(|new| new.replaces(old));
+    let is_part = is_single && !class.entries.iter().all(is_here);
+    // People's groups come from the policy.
+    let people = |roll: &Roll| {
+        let mut people = roll.people.clone()?;
+        people.iter_mut().for_each(|person| person.group = None);
+        Some(people)
     };
-    match is_refused {
-        false => Ok(()),
-        true => Err(Error::input(
-            "the class in the --out folder was graded with another policy",
-            "pass the same --policy as before; to change it for everyone, grade the whole class \
-             with the new one",
-        )),
-    }
+    let what = match () {
+        () if is_part && new.is_some() && new != old => "policy",
+        () if is_part && roll.people.is_some() && people(roll) != people(class) => "roster",
+        () if !is_single && new.is_none() && old.is_some() => "policy",
+        () => return Ok(()),
+    };
+    Err(Error::input(
+        format!("the class in the --out folder was graded with another {what}"),
+        format!(
+            "pass the same --{what} as before, or none if there was none; to change it for \
+             everyone, grade the whole class with the new one"
+        ),
+    ))
 }
 
 /// Refuses to replace a submission by an archive whose author may have given it that name.
@@ -114,6 +124,24 @@ mod tests {
         let alone = of(vec![entry("ada", "ada", "ada")]);
         let ids = alone.into_class(class).entries.into_iter().map(|it| it.id);
         assert_eq!(ids.collect::<Vec<_>>(), ["Ada", "ada"]);
+    }
+
+    #[test]
+    fn only_the_whole_class_gets_another_roster() {
+        let of = |ids: &[&str]| {
+            let entries = ids.iter().map(|id| entry(id, id, id)).collect();
+            roll(entries, "time_zone = 'UTC'", &[])
+        };
+        let class = of(&["ada", "bob"]);
+        for (ids, is_part) in [(&["ada", "bob"][..], false), (&["ada"], true)] {
+            let mut new = of(ids);
+            refuse_other_rules(&new, &class, true).expect("it is the same roster");
+            new.people = None;
+            refuse_other_rules(&new, &class, true).expect("the roster stays");
+            new.people = Some(Vec::new());
+            let refused = refuse_other_rules(&new, &class, true);
+            assert_eq!(refused.is_err(), is_part, "{ids:?}");
+        }
     }
 
     #[test]
