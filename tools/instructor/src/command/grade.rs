@@ -53,9 +53,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             roll.into_class(class)
         }
         (true, None) => {
-            if let Ok(class) = Roll::read(&earlier) {
-                replace::refuse_other_rules(&roll, &class, false)?;
-            }
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them";
             replace::refuse_partial_class(&roll, &earlier, one)?;

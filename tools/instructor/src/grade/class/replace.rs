@@ -6,15 +6,16 @@ use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
 
-/// Refuses a class that lacks submissions of the class in the `--out` folder, whose roll is the file
-/// `earlier`. The user may have passed a folder with only one late submission, and everyone else
-/// would then be listed as absent. Or the folder may hold another class. `instead` says what the user
-/// may want to do.
+/// Refuses a class that lacks the policy or submissions of the class in the `--out` folder, whose
+/// roll is the file `earlier`. The user may have passed a folder with only one late submission, and
+/// everyone else would then be listed as absent. Or the folder may hold another class. `instead` says
+/// what the user may want to do.
 pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Result<()> {
     // A class of another version is graded again.
     let Ok(class) = Roll::read(earlier) else {
         return Ok(());
     };
+    refuse_other_rules(roll, &class, false)?;
     let is_here = |one: &&Entry| roll.entries.iter().any(|entry| entry.replaces(one));
     let all = class.entries.iter().filter(|_| class.is_class);
     let absent: Vec<&str> = all.filter(|it| !is_here(it)).map(|it| &*it.id).collect();

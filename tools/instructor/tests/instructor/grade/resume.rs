@@ -394,6 +394,9 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
     on_small_assignment(&["merge", &bare, "--policy", &policy, "--out", &merged])
         .expect_code(1)
         .expect_out("0 handed in nothing");
+    on_small_assignment(&["merge", &bare, "--out", &merged])
+        .expect_code(2)
+        .expect_err("graded with another policy");
 }
 
 #[test]
