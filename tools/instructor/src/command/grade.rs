@@ -52,13 +52,12 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             replace::refuse_other_rules(&roll, &class, true)?;
             roll.into_class(class)
         }
-        (true, None) => {
+        _ => {
             let one = "to add or replace submissions, pass the path of each, not of the folder \
-                       around them";
+                       around them, and leave out --shard";
             replace::refuse_partial_class(&roll, &earlier, one)?;
             roll
         }
-        _ => roll,
     };
 
     let made = match (&arguments.fresh, arguments.no_fresh) {

@@ -387,6 +387,18 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
     on_small_assignment(&[&line[..], &[&out, &one]].concat())
         .expect_code(1)
         .expect_out("0 handed in nothing");
+    // Neither another roster nor a part drops the others.
+    let fewer = put("fewer.csv", "id,name\ncleo,Cleo Clark\n");
+    let refused = |more: &[&str], why: &str| {
+        let line = ["grade", "--no-fresh", "--out", &out, &one];
+        let run = on_small_assignment(&[&line[..], more].concat());
+        run.expect_code(2).expect_err(why);
+    };
+    refused(&["--roster", &fewer], "graded with another roster");
+    refused(
+        &["--policy", &policy, "--shard", "1/1"],
+        "missing now: Cleo",
+    );
     let (bare, merged) = (class.path("bare"), class.path("merged"));
     on_small_assignment(&[&line[..], &[&bare, &few]].concat())
         .expect_code(1)
