@@ -5,7 +5,6 @@ use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
-use std::time::SystemTime;
 
 use rayon::prelude::*;
 
@@ -25,7 +24,7 @@ use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let (mut roll, parts) = read(&arguments.shards)?;
+    let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
     if let Some(path) = &arguments.policy {
         roll.policy = Some(Policy::read(path)?);
         roll.place();
@@ -43,8 +42,6 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     }
     let made_with = OnceLock::new();
     let version = provenance::of_assignment(&assignment, checkout)?;
-    let newest = parts.iter().max_by_key(|part| part.written);
-    let now = |id: &String| newest.and_then(|part| part.answers.get(id)?.as_ref());
     let results = roll.entries.par_iter_mut().map(|entry| {
         let Some(Merged {
             record,
@@ -57,17 +54,18 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         // Another part may list an earlier or a later submission of this name.
         *entry = graded.clone();
         let is_old = record.provenance.made_with.assignment != version;
-        let is_earlier = record.is_graded() && now(&entry.id) != entry.answers.as_ref();
+        let is_doubtful = record.is_graded() && handed_in_again.contains(&entry.id);
         let result = kept(record, &cache, &assignment, is_old)?;
-        Ok(Some((result, others, is_earlier)))
+        Ok(Some((result, others, is_doubtful)))
     });
     let results: Vec<Option<(QueueResult, Vec<Change>, bool)>> = results.collect::<Result<_>>()?;
     let mut records = BTreeMap::new();
     let mut run = RunSummary::default();
     let mut are_old = false;
-    for (result, others, is_earlier) in results.into_iter().flatten() {
-        if is_earlier {
-            let why = "its mark is for earlier answers; grade its part again";
+    for (result, others, is_doubtful) in results.into_iter().flatten() {
+        if is_doubtful {
+            let why = "it may be for earlier answers, because not all parts have the same; grade \
+                       all parts again";
             run.faults.push((result.record.id.clone(), why.into()));
         }
         run.changes.extend(others);
@@ -95,17 +93,10 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
 /// One of the folders that are merged.
 struct Part<'a> {
     folder: &'a Path,
-    /// When its roll was written.
-    written: Option<SystemTime>,
-    /// The answers of everyone in the class at that time, by the submission's id.
-    answers: BTreeMap<String, Option<Answers>>,
     /// The submissions whose results it has, by id. The folder is listed only once, because looking
     /// for each submission in each part is slow on a shared file system.
     entries: BTreeMap<String, Entry>,
 }
-
-/// The hashes of a submission's answers: see [`Entry::answers`].
-type Answers = Vec<(String, String)>;
 
 /// A submission's result in the merged class.
 struct Merged<'a> {
@@ -212,9 +203,12 @@ fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) 
     Ok(cache.get(&record.id).as_ref() == Some(record))
 }
 
-/// The parts, and the roll of the class, on which all of them must agree.
-fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
+/// The roll of the class, on which all parts must agree, the parts, and the ids of submissions whose
+/// answers are not the same in all of them. Nothing says which answers are newer: files may have been
+/// copied, and the clocks of two machines may differ.
+fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
     let mut common: Option<Roll> = None;
+    let mut handed_in_again = BTreeSet::new();
     let mut parts = Vec::new();
     for shard in shards {
         let path = shard.join(ROLL);
@@ -235,26 +229,25 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>)> {
                 "grade all parts with the same paths, roster and policy",
             ));
         }
+        let others = common.iter().flat_map(|common| &common.entries);
+        let pairs = others
+            .zip(&roll.entries)
+            .filter(|(a, b)| a.answers != b.answers);
+        handed_in_again.extend(pairs.map(|(entry, _)| entry.id.clone()));
         let submissions = fs::read_dir(shard.join("submissions"));
         let names = submissions.into_iter().flatten().flatten();
         let ids: BTreeSet<OsString> = names.map(|it| it.file_name()).collect();
         let entries = roll.entries.iter();
-        let answers = entries
-            .clone()
-            .map(|it| (it.id.clone(), it.answers.clone()));
-        let answers = answers.collect();
         let entries = entries.filter(|entry| ids.contains(OsStr::new(&entry.id)));
         parts.push(Part {
             folder: shard,
-            written: fs::metadata(&path).and_then(|it| it.modified()).ok(),
-            answers,
             entries: entries.map(|it| (it.id.clone(), it.clone())).collect(),
         });
         common = Some(roll);
     }
     let common =
         common.ok_or_else(|| Error::input("no part has results", "name the parts' --out folders"));
-    Ok((common?, parts))
+    Ok((common?, parts, handed_in_again))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::{Duration, Instant, SystemTime};
 
 use serde_json::{Value, json};
 
@@ -158,7 +158,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     let wrong = class.path("wrong");
     on_small_assignment(&["merge", &one, &two, &wrong, "--out", &merged])
         .expect_code(3)
-        .expect_out("the old mark remains: dora: its mark is for earlier answers")
+        .expect_out("the old mark remains: dora: it may be for earlier answers")
         .expect_out("changed: dora: ");
 
     // A merged mark replaces the fault of an earlier attempt to grade again, and the evidence for an
@@ -250,6 +250,13 @@ fn a_merge_lists_marks_for_answers_that_were_handed_in_again() {
     // The job that should grade the second part again dies before it starts.
     class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
     class.grade("1", &["--shard", "1/2"]);
+    // The second part may look newer: it was copied later, or its machine's clock is fast.
+    let roll = fs::File::options()
+        .append(true)
+        .open(class.folder.join("2/roll.json"));
+    let later = SystemTime::now() + Duration::from_secs(600);
+    roll.and_then(|roll| roll.set_modified(later))
+        .expect("it is ours");
     let told = on_small_assignment(&merge).expect_code(3).json();
     assert_eq!(told["faults"][0][0], "ada", "{told}");
     class.grade("2", &["--shard", "2/2"]);
