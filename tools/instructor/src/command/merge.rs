@@ -169,6 +169,7 @@ fn merged<'a>(
         merged = Some(Merged::new(record, entry));
     }
     if let Some(merged) = merged.as_ref().filter(|it| !it.record.is_graded()) {
+        cache.keep_listed(id)?;
         write_unflushed(&to.join("result.json"), pretty(&merged.record)?.as_bytes())?;
     }
     Ok(merged)
@@ -185,6 +186,7 @@ fn put_in_place(record: &Record, part: &Path, from: &Path, cache: &ResultCache) 
         ));
     }
     let to = cache.of(&record.id);
+    cache.keep_listed(&record.id)?;
     // If this process is killed meanwhile, no result is beside another one's report.
     let _is_first = fs::remove_file(to.join("result.json"));
     let evidence = Evidence::file(&record.id);

@@ -262,6 +262,9 @@ fn a_merge_lists_marks_for_answers_that_were_handed_in_again() {
     class.grade("2", &["--shard", "2/2"]);
     let told = on_small_assignment(&merge).expect_code(1).json();
     assert_eq!(told["faults"], json!([]), "{told}");
+    assert_eq!(told["changes"][0]["id"], "ada", "{told}");
+    let told = on_small_assignment(&merge).expect_code(1).json();
+    assert_eq!(told["changes"], json!([]), "it was listed");
 }
 
 #[test]
