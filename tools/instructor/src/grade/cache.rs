@@ -66,7 +66,7 @@ impl ResultCache {
     pub fn keep_listed(&self, id: &str) -> Result<()> {
         let folder = self.of(id);
         let (result, listed) = (folder.join("result.json"), folder.join(LISTED));
-        match result.exists() && !listed.exists() {
+        match result.exists() && self.listed(id).is_none() {
             true => link(&result, &listed),
             false => Ok(()),
         }
@@ -267,9 +267,8 @@ pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
 /// Puts a file in a second place, as a link, or as a copy where links don't work.
 pub fn link(from: &Path, to: &Path) -> Result<()> {
     let _absent = fs::remove_file(to);
-    fs::create_dir_all(folder_of(to))
-        .and_then(|()| fs::hard_link(from, to).or_else(|_| fs::copy(from, to).map(drop)))
-        .or_fail(&cannot_write(to))
+    let linked = fs::create_dir_all(folder_of(to)).and_then(|()| fs::hard_link(from, to));
+    linked.or_else(|_| write_unflushed(to, &fs::read(from).or_fail(&cannot_write(to))?))
 }
 
 /// Calls `make` to write a new version beside a file, and then puts it in place.
@@ -357,6 +356,8 @@ mod tests {
         let listed = || cache.listed("ada").map(|record| record.got.points);
         put(1);
         assert_eq!(listed(), None, "a first grade is not a change");
+        // A power cut has left an empty file.
+        fs::write(cache.of("ada").join(LISTED), "").expect("there is room");
         put(2);
         put(3);
         assert_eq!(listed(), Some(Some(1)));

@@ -1,6 +1,6 @@
 //! Writes the files of a class and prints its summary, when grading or merging ends.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use clap::ValueEnum;
 use serde_json::json;
@@ -121,8 +121,11 @@ impl ClassOutput<'_> {
             true => anstream::print!("{}", pretty(&document(&class, run))?),
             false => anstream::print!("{}", words(&class, run, cache)),
         }
-        for id in records.keys() {
-            cache.forget_listed(id);
+        let failed: BTreeSet<&String> = run.faults.iter().map(|(id, _)| id).collect();
+        for (id, record) in records {
+            if record.is_graded() && !failed.contains(id) {
+                cache.forget_listed(id);
+            }
         }
         let not_graded = class.not_graded();
         if not_graded.is_empty() && run.faults.is_empty() {

@@ -324,6 +324,9 @@ fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
     let report = class.folder.join("out/submissions/ada/report.html");
     fs::remove_file(&report).expect("it was there");
     fs::create_dir(&report).expect("a folder can be made");
+    // A run that was stopped has changed this grade.
+    let listed = class.folder.join("out/submissions/ada/listed.json");
+    fs::write(&listed, &before).expect("writable");
     let told = class
         .grade("out", &["--regrade", "--json"])
         .expect_code(3)
@@ -332,6 +335,7 @@ fn grader_fault_is_not_a_zero_and_keeps_the_finished_grade() {
     assert_eq!(told["points"]["ada"], 100, "the old mark remains");
     assert_eq!(class.read("out/submissions/ada/result.json"), before);
     assert_eq!(class.read("out/grades.csv"), marks);
+    assert!(listed.exists(), "the change was not listed");
 
     // The old mark is not valid for other answers.
     class.hand_in("ada", &[("plane.rs", &wrong_plane())]);
