@@ -31,13 +31,31 @@ pub fn make_private(folder: &Path) -> io::Result<()> {
 }
 
 /// Whether a folder is ours, and nobody else on the machine can read it. False if it isn't there.
-#[cfg_attr(not(unix), expect(unused_variables))]
 pub fn is_private(folder: &Path) -> bool {
+    is_ours(folder) && is_closed(folder, 0o077)
+}
+
+/// Whether a file or folder belongs to us or root, and nobody else can change it.
+pub fn is_ours(path: &Path) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        let user = rustix::process::geteuid().as_raw();
-        fs::metadata(folder).is_ok_and(|it| it.uid() == user && it.mode() & 0o077 == 0)
+        let ours = [0, rustix::process::geteuid().as_raw()];
+        let is_ours = fs::metadata(path).is_ok_and(|it| ours.contains(&it.uid()));
+        if !is_ours {
+            return false;
+        }
+    }
+    is_closed(path, 0o022)
+}
+
+/// Whether nobody but the owner has any of these permissions.
+#[cfg_attr(not(unix), expect(unused_variables))]
+fn is_closed(path: &Path, permissions: u32) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        fs::metadata(path).is_ok_and(|it| it.mode() & permissions == 0)
     }
     #[cfg(not(unix))]
     true

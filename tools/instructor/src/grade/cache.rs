@@ -10,8 +10,12 @@ use super::intake::Entry;
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
-use pinhole_course::private::private_file;
+use pinhole_course::private::{is_ours, make_private, private_file};
+use pinhole_course::shell::in_shell;
 use pinhole_report::escape::printable_json;
+
+/// The roll's file in the folder of a graded class. Merges read it.
+pub const ROLL: &str = "roll.json";
 
 /// The folder of a graded class, locked as long as this value lives.
 pub struct ResultCache {
@@ -25,7 +29,26 @@ impl ResultCache {
     /// Opens the folder, and locks it against other graders.
     pub fn open(folder: &Path) -> Result<ResultCache> {
         let submissions = folder.join("submissions");
-        fs::create_dir_all(&submissions).or_fail(&cannot_write(&submissions))?;
+        if !submissions.exists() {
+            fs::create_dir_all(&submissions)
+                .and_then(|()| make_private(&submissions))
+                .or_fail(&cannot_write(&submissions))?;
+        }
+        // Who can change these files can choose marks. The folder itself may belong to another user:
+        // root in a container often grades into a folder of the host.
+        for path in ["submissions", "fresh", ROLL].map(|name| folder.join(name)) {
+            if path.exists() && !is_ours(&path) {
+                let path = path.display().to_string();
+                return Err(Error::input(
+                    format!("another user may have written {path}"),
+                    format!(
+                        "name another folder with --out, or, if nobody else has changed it: \
+                         chown -R \"$(id -u)\" {0} && chmod -R go-w {0}",
+                        in_shell(&path)
+                    ),
+                ));
+            }
+        }
         let path = folder.join(".lock");
         let lock = private_file(&path).or_fail(&cannot_write(&path))?;
         match lock.try_lock() {
@@ -375,6 +398,36 @@ mod tests {
             fresh: None,
             fresh_folder: None,
             answers: Default::default(),
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn results_that_others_may_have_written_are_not_believed() {
+        use std::os::unix::fs::{PermissionsExt, chown};
+
+        let out = tempfile::tempdir().expect("there is room");
+        let open = || ResultCache::open(out.path()).map(drop);
+        open().expect("it is new");
+        open().expect("it is ours");
+        for name in ["submissions", "fresh", "roll.json"] {
+            let path = out.path().join(name);
+            if name == "fresh" {
+                fs::create_dir(&path).expect("there is room");
+            } else if name == "roll.json" {
+                fs::write(&path, "{}").expect("there is room");
+            }
+            let allow = |mode| fs::set_permissions(&path, fs::Permissions::from_mode(mode));
+            allow(0o770).expect("it is ours");
+            let error = open().expect_err("somebody else may have written them");
+            assert!(error.to_string().contains(name), "{error}");
+            allow(0o755).expect("it is ours");
+            open().expect("others may only read them");
+            // Only root can give files away.
+            if chown(&path, Some(12345), None).is_ok() {
+                open().expect_err("somebody else made it");
+                chown(&path, Some(0), None).expect("we are root");
+            }
         }
     }
 

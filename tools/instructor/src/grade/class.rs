@@ -10,6 +10,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+pub use super::cache::ROLL;
+
 use self::concern::Concern;
 use self::marks::Rows;
 use super::intake::Entry;
@@ -21,9 +23,6 @@ use super::record::{Record, RecordSummary, TaskSummary};
 use super::shared_answers::{self, KnownAnswers, SharedAnswer, SharedPair};
 use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
-
-/// The roll's file in the folder of a graded class. Merges read it.
-pub const ROLL: &str = "roll.json";
 
 /// What was handed in, and by whom. Every shard has the same roll.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
