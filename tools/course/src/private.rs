@@ -49,6 +49,13 @@ pub fn is_ours(path: &Path) -> bool {
     is_closed(path, 0o022)
 }
 
+/// Whether only its owner and root can reach a folder, because of its own mode or that of a folder
+/// around it. True if it isn't there.
+pub fn is_hidden(folder: &Path) -> bool {
+    let folder = folder.canonicalize().ok();
+    folder.is_none_or(|it| it.ancestors().any(|it| is_closed(it, 0o077)))
+}
+
 /// Whether nobody but the owner has any of these permissions.
 #[cfg_attr(not(unix), expect(unused_variables))]
 fn is_closed(path: &Path, permissions: u32) -> bool {
@@ -74,4 +81,16 @@ pub fn allow(path: &Path, mode: u32) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(all(test, unix))]
+#[test]
+fn nobody_else_reaches_a_readable_folder_in_a_private_one() {
+    let private = tempfile::tempdir().expect("there is room");
+    let inside = private.path().join("fresh");
+    fs::create_dir(&inside).expect("there is room");
+    allow(&inside, 0o755).expect("it is ours");
+    assert!(!is_hidden(Path::new("/")));
+    make_private(private.path()).expect("it is ours");
+    assert!(is_hidden(&inside) && !is_private(&inside));
 }

@@ -27,9 +27,10 @@ use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
-use pinhole_course::private::make_private;
+use pinhole_course::private::{is_hidden, make_private};
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Choice, Sandbox};
+use pinhole_course::shell::in_shell;
 use pinhole_course::timings::Timings;
 use pinhole_report::program::Status;
 
@@ -60,6 +61,18 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         }
     };
 
+    for folder in arguments.golden.iter().chain(&arguments.fresh) {
+        if !is_hidden(folder) {
+            let name = folder.display().to_string();
+            let problem = format!("other users of this machine can read {name}");
+            let remedy = format!("chmod go-rwx {}", in_shell(&name));
+            // An instructor's own scenes need not be secret.
+            if arguments.fresh.as_ref() == Some(folder) {
+                return Err(Error::input(problem, remedy));
+            }
+            anstream::eprintln!("{problem}; if these goldens are secret: {remedy}");
+        }
+    }
     let made = match (&arguments.fresh, arguments.no_fresh) {
         (_, true) => None,
         (Some(folder), _) => {
