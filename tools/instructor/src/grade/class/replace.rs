@@ -66,8 +66,24 @@ pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<
     ))
 }
 
-/// Refuses to replace a submission by an archive whose author may have given it that name.
+/// Refuses to replace a submission by an archive whose author may have given it that name, and to
+/// replace two submissions by one: the one with its id, and another with its name.
 pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
+    let (all, new) = (class.entries.iter(), roll.entries.iter());
+    let old: Vec<&Entry> = all
+        .filter(|old| new.clone().any(|it| it.replaces(old)))
+        .collect();
+    let new = new.filter(|new| old.iter().any(|old| new.replaces(old)));
+    if new.count() < old.len() {
+        let ids: Vec<&str> = old.iter().map(|old| &*old.id).collect();
+        return Err(Error::input(
+            format!(
+                "fewer submissions would replace these in the --out folder: {}",
+                ids.join(", ")
+            ),
+            "grade the whole class, so that nobody's submission is lost",
+        ));
+    }
     let is_weaker = |new: &&Entry| {
         let mut same = class.entries.iter().filter(|old| new.replaces(old));
         same.any(|old| new.at_most < old.at_most)
@@ -143,6 +159,24 @@ mod tests {
             let refused = refuse_other_rules(&new, &class, true);
             assert_eq!(refused.is_err(), is_part, "{ids:?}");
         }
+    }
+
+    #[test]
+    fn no_submission_replaces_those_of_two_people() {
+        let of = |ids: &[(&str, &str)]| {
+            let entries = ids.iter().map(|(id, name)| Entry {
+                name: (*name).into(),
+                ..entry(id, name, name)
+            });
+            roll(entries.collect(), "time_zone = 'UTC'", &[])
+        };
+        let class = of(&[("Ada", "Ada"), ("ada.2", "ada"), ("ada.2.2", "ada.2")]);
+        let refused = refuse_chosen_names(&of(&[("ada.2", "ada.2")]), &class);
+        let refused = refused.expect_err("ada would be dropped").to_string();
+        assert!(refused.contains("ada.2, ada.2.2"), "{refused}");
+        // Two folders with the same name were passed before, and are now.
+        let twins = of(&[("ada", "ada"), ("ada.2", "ada")]);
+        refuse_chosen_names(&twins, &twins).expect("both are here");
     }
 
     #[test]
