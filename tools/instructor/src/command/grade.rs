@@ -317,7 +317,9 @@ fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
 /// The submissions, and the people who handed them in.
 fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let policy = arguments.policy.as_ref();
-    let policy = policy.map(|path| Policy::read(path)).transpose()?;
+    let policy = policy
+        .map(|path| Policy::read(path, assignment))
+        .transpose()?;
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
     if let (Some(policy), Some(people)) = (&policy, &mut people) {

@@ -26,7 +26,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
     if let Some(path) = &arguments.policy {
-        roll.policy = Some(Policy::read(path)?);
+        roll.policy = Some(Policy::read(path, &assignment)?);
         roll.place();
     }
     let earlier = arguments.out.join(ROLL);

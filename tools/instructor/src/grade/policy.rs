@@ -18,6 +18,7 @@ use self::rules::Rules;
 use super::intake::matching::is_id;
 use super::intake::roster::Person;
 use super::intake::table::Table;
+use pinhole_course::assignment::Assignment;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_report::escape::printable_cell;
 
@@ -77,7 +78,7 @@ const WHO: [(&str, TimeKey); 12] = [
 
 impl Policy {
     /// Reads `policy.toml` and the tables it names, relative to its folder.
-    pub fn read(path: &Path) -> Result<Policy> {
+    pub fn read(path: &Path, assignment: &Assignment) -> Result<Policy> {
         let remedy =
             "see the chapter “Policies and gradebooks” and tools/schema/policy.schema.json";
         let text = fs::read_to_string(path).or_input(
@@ -88,6 +89,15 @@ impl Policy {
         let rules: Rules = toml::from_str(&text).or_input(&name, remedy)?;
         let wrong = |why: String| Error::input(&name, remedy).because(why);
         let mut policy = Policy::of(rules).map_err(wrong)?;
+        let tasks = assignment.tasks.iter().map(|task| task.name.as_str());
+        let parts: Vec<&str> = tasks.chain(["scenes"]).collect();
+        for part in policy.rules.extra_credit.iter().flat_map(|it| &it.parts) {
+            if !parts.contains(&part.as_str()) {
+                let all = parts.join(", ");
+                let why = format!("extra_credit.parts has `{part}`, but the parts are {all}");
+                return Err(wrong(why));
+            }
+        }
         let zone = times::zone(policy.rules.time_zone.as_deref()).map_err(wrong)?;
         let beside = path.parent().unwrap_or(Path::new(""));
         if let Some(file) = &policy.rules.times {
@@ -98,7 +108,8 @@ impl Policy {
         }
         for file in policy.rules.late_days.iter().flat_map(|it| &it.spent) {
             for (id, days) in late_days_in(&beside.join(file))? {
-                *policy.spent.entry(id).or_default() += days;
+                let spent = policy.spent.entry(id).or_default();
+                *spent = spent.saturating_add(days);
             }
         }
         Ok(policy)
@@ -282,6 +293,13 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
 mod tests {
 
     use super::*;
+    use pinhole_course::checkout::Checkout;
+    use pinhole_testing::root;
+
+    fn assignment() -> Assignment {
+        let checkout = Checkout::at(&root());
+        Assignment::read(&checkout, "ray_casting").expect("it is committed")
+    }
 
     #[test]
     fn people_without_a_university_id_are_in_groups_by_their_number_on_canvas() {
@@ -479,11 +497,16 @@ mod tests {
         let budget = "[late_days]\nbudget = 3\nspent = ['grades.csv']\n";
         let late = "[late]\npercent = 10\nper = 'day'\n";
         fs::write(
+            folder.path().join("many.csv"),
+            "id,late_days\nada,4294967295\n",
+        )
+        .expect("there is room");
+        fs::write(
             &rules,
             format!("time_zone = 'UTC'\ndeadline = '2026-11-20 23:59'\n{late}{budget}"),
         )
         .expect("there is room");
-        let policy = Policy::read(&rules).expect("it is a policy");
+        let policy = Policy::read(&rules, &assignment()).expect("it is a policy");
         assert_eq!(ids.map(|id| policy.late_days_left(id)), [1, 1, 1]);
         let person = |id: &str| Person {
             id: id.into(),
@@ -492,5 +515,25 @@ mod tests {
         let people = ids.map(person);
         assert_eq!(policy.strangers(&people), [""; 0]);
         assert_eq!(policy.strangers(&people[1..]), ["ada"]);
+        let text = fs::read_to_string(&rules).expect("it was written");
+        let text = text.replace("'grades.csv'", "'grades.csv', 'many.csv'");
+        fs::write(&rules, text).expect("there is room");
+        let policy = Policy::read(&rules, &assignment()).expect("it is a policy");
+        assert_eq!(policy.late_days_left("ada"), 0);
+    }
+
+    #[test]
+    fn extra_credit_for_a_part_that_does_not_exist_is_refused() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("policy.toml");
+        let read = |parts: &str| {
+            let rules = format!("[extra_credit]\nparts = {parts}\n");
+            fs::write(&path, rules).expect("there is room");
+            Policy::read(&path, &assignment())
+        };
+        read("['sphere', 'scenes']").expect("both exist");
+        let error = read("['scenes', 'spere']").expect_err("it is misspelt");
+        let error = error.to_string();
+        assert!(error.contains("extra_credit.parts has `spere`"), "{error}");
     }
 }

@@ -193,10 +193,10 @@ impl Rules {
             );
         }
         if let Some(rounding) = &self.rounding
-            && !(rounding.to > 0.0 && rounding.to.is_finite())
+            && !(0.001..=1000.0).contains(&rounding.to)
         {
             return Err(format!(
-                "rounding.to is {}, which is not a finite number above 0",
+                "rounding.to is {:?}, which is not between 0.001 and 1000",
                 rounding.to
             ));
         }

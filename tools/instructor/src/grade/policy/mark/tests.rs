@@ -153,7 +153,9 @@ fn rules_that_make_no_sense_are_refused_with_a_reason() {
             "not a time like",
         ),
         ("deadline = '2026-11-20T23:59:00Z'\n", "needs `time_zone`"),
-        ("[rounding]\nto = 0\n", "not a finite number above 0"),
+        ("[rounding]\nto = 0\n", "not between 0.001 and 1000"),
+        ("[rounding]\nto = 5e-324\n", "rounding.to is 5e-324"),
+        ("[rounding]\nto = 1e308\n", "rounding.to is 1e308"),
         (
             "[[adjust]]\nid = 'a'\npoints = 1\nreason = ' '\n",
             "a reason",
