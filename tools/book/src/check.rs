@@ -28,7 +28,7 @@ pub enum Part {
     Runs,
     /// Whether the programs still draw the figures that the book shows
     Figures,
-    /// Whether the mistakes still render the pictures in the galleries
+    /// Whether code with each known mistake still renders the pictures in the galleries
     Galleries,
     /// The interactive figures' types and mathematics (needs Node.js)
     Interactive,

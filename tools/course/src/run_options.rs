@@ -16,9 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the assignment that contains the files
-    /// or folders that you pass; if there is none, the one that contains the current folder; if
-    /// there is none, this repository's default]
+    /// The assignment, by name or folder [default: the one that you are working on, if a path or
+    /// the current folder says so, or else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

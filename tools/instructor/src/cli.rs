@@ -128,8 +128,8 @@ pub struct Grade {
     #[arg(long, value_name = "K/N", value_parser = shard)]
     pub shard: Option<(usize, usize)>,
     /// Limit each task and scene to this many seconds of processor time, or to a hundred times what
-    /// our own solution takes, whichever is more. A submission that exceeds a limit is graded again
-    /// at the end, with nothing else running
+    /// the reference solution takes, whichever is more. A submission that exceeds a limit is graded
+    /// again at the end, with nothing else running
     #[arg(long, value_name = "SECONDS", default_value_t = 4,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,

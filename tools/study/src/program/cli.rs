@@ -79,8 +79,8 @@ pub struct Study {
 /// Find the fastest way to render a scene's film with a given accuracy, and explain the choice
 ///
 /// This way is called a plan. A film that is rendered by a plan shows the true object at every
-/// pixel, and its t and normals are as accurate as you ask for. (The exception is a t below 2e-308
-/// or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for every camera
+/// pixel. Normals and the rays' parameters t at the hits are as accurate as you ask for. (The
+/// exception is a t below 2e-308 or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for every camera
 /// ray, not estimated from samples. For each kind of shape, the output says how accurate f64
 /// arithmetic is, and which hits must be checked and perhaps computed exactly. It also says whether
 /// a bounding volume hierarchy is worthwhile. The same scene and options always give the same plan.
