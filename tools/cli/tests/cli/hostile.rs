@@ -191,7 +191,10 @@ fn examine_for(path: &Path, walls: &str, seconds: &str) -> Value {
 
 /// How the outcomes of a submission's attacks differ from the expected ones. Empty if they don't.
 fn problems(attacks: &[&Attack], walls: &str) -> Vec<String> {
-    let name = format!("hostile-{}-{walls}", attacks[0].name).replace(' ', "-");
+    // Two tests may have attacks of the same name.
+    static NEXT: AtomicUsize = AtomicUsize::new(0);
+    let number = NEXT.fetch_add(1, Ordering::Relaxed);
+    let name = format!("hostile-{number}-{}-{walls}", attacks[0].name).replace(' ', "-");
     let files = attacks.iter().zip(PLACES);
     let files = files.map(|(attack, task)| (format!("{task}.rs"), attack.text(task)));
     let files: Vec<(String, String)> = files.collect();
