@@ -208,11 +208,11 @@ impl Question for BoxQuestion {
         };
         vec![
             (
-                "the smallest of min_t and the three t at which the ray enters a slab",
+                "the smallest of min_t and the three values of t at which the ray enters a slab",
                 at(entry.fold(self.min_t, f64::min)),
             ),
             (
-                "the greatest of min_t and the three t at which the ray leaves a slab",
+                "the greatest of min_t and the three values of t at which the ray leaves a slab",
                 at(exit.fold(self.min_t, f64::max)),
             ),
             ("the t at which the ray leaves the box", at(leave)),

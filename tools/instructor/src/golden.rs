@@ -82,7 +82,7 @@ fn fingerprint(
     manifest.set_mistakes(&written, folder, assignment)?;
     let mistakes = KnownMistakes::read(folder)?.mistake.len();
     Ok(format!(
-        "stored what each of {mistakes} known mistakes changes in {} films",
+        "stored the changes that each of {mistakes} known mistakes makes in {} films",
         written.len()
     ))
 }

@@ -325,7 +325,7 @@ fn a_film_of_an_instructors_own_scene_is_diagnosed_by_diff() {
     let (scene, mine, films) = (plain(&scene), folder.join("mine"), folder.join("films"));
     run(&["golden", "render", scene, "--out", plain(&mine)])
         .expect_code(0)
-        .expect_out("known mistakes changes in 1 films");
+        .expect_out("known mistakes makes in 1 films");
     run(&["golden", "verify", plain(&mine)]).expect_code(0);
     run(&["golden", "mistakes", plain(&mine)]).expect_code(0);
     run(&["golden", "verify", plain(&mine)]).expect_code(0);
