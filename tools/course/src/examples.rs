@@ -12,8 +12,9 @@ mod handed_in;
 mod own;
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::panic::resume_unwind;
 use std::path::Path;
+use std::{fs, thread};
 
 use pinhole::Fact;
 use pinhole::comparison::channel_names;
@@ -141,9 +142,29 @@ pub fn judge_file(
     judge((path, &text), assignment, checkout, true)
 }
 
+/// The stack that the most deeply nested TOML takes: 80 tables in a row, each below 80 keys.
+const STACK: usize = 512 << 20;
+
 /// Judges examples, given what their file is called and its text. Progress is shown if someone waits
 /// for the result (`interactive`).
 fn judge(
+    file: (&Path, &str),
+    assignment: &Assignment,
+    checkout: &Checkout,
+    interactive: bool,
+) -> Result<JudgedExamples> {
+    thread::scope(|scope| {
+        let judge = || judge_here(file, assignment, checkout, interactive);
+        let thread = thread::Builder::new().stack_size(STACK);
+        let thread = thread.spawn_scoped(scope, judge).or_environment(
+            "cannot start a thread",
+            "free some memory, and run this again",
+        )?;
+        thread.join().unwrap_or_else(|panic| resume_unwind(panic))
+    })
+}
+
+fn judge_here(
     (path, text): (&Path, &str),
     assignment: &Assignment,
     checkout: &Checkout,

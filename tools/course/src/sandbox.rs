@@ -356,6 +356,7 @@ impl Sandbox {
             Ok(left) => limits.wall = limits.wall.min(left),
             Err(whole) => return Ok(Reply::unasked(job, Ending::OutOfTime(whole))),
         }
+        #[cfg(target_os = "linux")]
         if !matches!(self, Sandbox::Trusted) {
             toolchain::load(executable);
         }

@@ -68,8 +68,8 @@ impl Examiner<'_> {
             return Ok(BTreeMap::new());
         }
         // An answer that gave no film for its questions would end the process for all scenes.
-        let broken = self.with_a_group(tasks, |_, group| {
-            !matches!(group.outcome, FilmOutcome::Judged(_))
+        let broken = self.with_a_group(tasks, |task, group| {
+            !matches!(group.outcome, FilmOutcome::Judged(_)) && !self.withholds(task, &group.name)
         });
         let mut films = Vec::new();
         for scene in scenes {

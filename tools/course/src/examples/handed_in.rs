@@ -83,10 +83,10 @@ fn verdict(judged: JudgedExamples, catch: f64) -> (bool, String, Vec<Fact>) {
     (passes, says, shown.unwrap_or_default())
 }
 
-/// The first line and the last line of a message.
+/// The first line and the last line of a message. What is between may be a trace with paths.
 fn shortened(message: &str) -> String {
-    let message = &message[..message.floor_char_boundary(MOST_BYTES)];
+    let cut = |line: &str| line[..line.floor_char_boundary(MOST_BYTES / 2)].to_owned();
     let (first, rest) = message.split_once('\n').unwrap_or((message, ""));
     let last = rest.lines().last().unwrap_or_default();
-    format!("{first} {last}").trim_end().into()
+    format!("{} {}", cut(first), cut(last)).trim_end().into()
 }

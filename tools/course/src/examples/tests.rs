@@ -116,3 +116,18 @@ fn examples_that_need_mitsuba_get_no_zero_without_it() {
         "{said}"
     );
 }
+
+#[test]
+fn deeply_nested_tables_are_refused_without_overflowing_the_stack() {
+    let checkout = Checkout::find().unwrap();
+    let assignment = Assignment::read(&checkout, "ray_casting").unwrap();
+    let key = vec!["a"; 80].join(".");
+    let text = format!(
+        "{key} = {}1{}",
+        format!("{{{key} = ").repeat(79),
+        "}".repeat(79)
+    );
+    let file = (Path::new("sphere.examples.toml"), text.as_str());
+    let error = judge(file, &assignment, &checkout, false).unwrap_err();
+    assert!(error.problem.contains("TOML parse error"), "{error}");
+}

@@ -235,11 +235,11 @@ fn a_result_says_nothing_of_a_withheld_scene_but_that_it_fails() {
     }
 }
 
-/// Scenes without the times that casting them took.
+/// Scenes that say only whether it was measured how long casting them took.
 fn without_seconds(scenes: &Value) -> Value {
     let mut scenes = scenes.clone();
     for scene in scenes.as_array_mut().expect("a list") {
-        scene["seconds"] = Value::Null;
+        scene["seconds"] = scene["seconds"].is_null().into();
     }
     scenes
 }
