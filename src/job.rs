@@ -5,6 +5,7 @@
 //! postcard. The reader trusts none of it (see [`ask`](crate::ask)).
 
 use std::io::{self, Read, Write};
+use std::ops::Range;
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -22,6 +23,8 @@ use crate::shape::{Shape, ShapeKind};
 pub enum Job {
     /// Cast a scene: a hit for every pixel, in image order.
     Film(Scene),
+    /// Cast these pixels of a scene, given by their places in image order.
+    Pixels(Scene, Range<usize>),
     /// Cast several scenes, one after the other.
     Films(Vec<Scene>),
     /// An answer to each question.
@@ -37,6 +40,7 @@ impl Job {
     pub fn len(&self) -> usize {
         match self {
             Job::Film(scene) => scene.resolution.pixels(),
+            Job::Pixels(_, pixels) => pixels.len(),
             Job::Films(scenes) => scenes.iter().map(|scene| scene.resolution.pixels()).sum(),
             Job::Ask(questions) => questions.len(),
             Job::Cast(..) => 1,
@@ -59,7 +63,9 @@ impl Job {
     /// one.
     pub fn needs(&self, kind: Kind, shape: Option<ShapeKind>) -> bool {
         match self {
-            Job::Film(scene) | Job::Meet(scene, _) => kind.is_needed_by(shape, scene),
+            Job::Film(scene) | Job::Pixels(scene, _) | Job::Meet(scene, _) => {
+                kind.is_needed_by(shape, scene)
+            }
             Job::Films(scenes) => scenes.iter().any(|scene| kind.is_needed_by(shape, scene)),
             Job::Ask(questions) => kind == questions.kind(),
             Job::Cast(..) => true,
@@ -70,7 +76,17 @@ impl Job {
     pub fn questions(&self) -> Option<&Questions> {
         match self {
             Job::Ask(questions) => Some(questions),
-            Job::Film(_) | Job::Films(_) | Job::Cast(..) | Job::Meet(..) => None,
+            Job::Film(_) | Job::Pixels(..) | Job::Films(_) | Job::Cast(..) | Job::Meet(..) => None,
+        }
+    }
+
+    /// The job for only the answers in this range, if it asks one question after the other or casts
+    /// one scene.
+    pub fn part(&self, range: Range<usize>) -> Option<Job> {
+        match self {
+            Job::Ask(questions) => Some(Job::Ask(questions.part(range))),
+            Job::Film(scene) => Some(Job::Pixels(scene.clone(), range)),
+            Job::Pixels(..) | Job::Films(_) | Job::Cast(..) | Job::Meet(..) => None,
         }
     }
 
@@ -82,6 +98,7 @@ impl Job {
     ) -> Result<WireAnswer, Unregistered> {
         let hit = match self {
             Job::Film(scene) => return pixel(scene, index, functions),
+            Job::Pixels(scene, pixels) => return pixel(scene, pixels.start + index, functions),
             Job::Films(scenes) => {
                 let mut index = index;
                 for scene in scenes {
@@ -107,7 +124,7 @@ impl Job {
     pub(crate) fn receive(&self, index: usize, sent: &WireAnswer) -> Option<Answer> {
         match self {
             Job::Ask(questions) => questions.receive(index, sent),
-            Job::Film(_) | Job::Films(_) => match sent {
+            Job::Film(_) | Job::Pixels(..) | Job::Films(_) => match sent {
                 WireAnswer::Counted(answer, _) => WireAnswer::Answer(*answer).hit(),
                 sent => sent.hit(),
             },

@@ -282,24 +282,52 @@ fn a_panic_is_reported_with_file_and_line() {
     .expect_out(&format!("edit: {place}\n"));
 }
 
+/// Bodies that give no usable answer: their names, and code.
+const STOPS: [(&str, &str); 4] = [
+    ("panic", "let none: Vec<f64> = Vec::new(); let _ = none[3];"),
+    (
+        "loop",
+        "while self.normal != ray.origin { std::hint::black_box(0); }",
+    ),
+    (
+        "recursion",
+        "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
+    ),
+    (
+        "nan",
+        "return Some(Intersection { t: f64::NAN, normal: self.normal });",
+    ),
+];
+
+#[test]
+fn pixel_that_stops_a_scene_is_shown() {
+    for (name, body) in STOPS {
+        // The scene is cast from its top row down, and only rays below the horizon stop.
+        let text = with_body(
+            "plane",
+            &format!("if ray.direction.y < 0.0 && min_t == 1.0 {{ {body} }}"),
+        );
+        let folder = format!("stops-scene-{name}");
+        let folder = submission(&trusted(), &folder, &[("plane.rs", &text)]);
+        let folder = folder.to_str().expect("a plain name");
+        let scene = "sphere_and_plane";
+        let ran = pinhole(&["check", folder, "--scene", scene, "--timeout", "2"]).expect_code(1);
+        let before = format!("no usable answer at this pixel: cargo pinhole explain {scene} ");
+        let (_, pixel) = ran
+            .out
+            .split_once(&before)
+            .unwrap_or_else(|| panic!("{}", ran.out));
+        let row = pixel
+            .split(' ')
+            .nth(1)
+            .and_then(|row| row.parse::<u32>().ok());
+        assert!(row.expect("a number") < 80, "{name}: {}", ran.out);
+    }
+}
+
 #[test]
 fn question_that_stops_an_answer_is_shown() {
-    let stops = [
-        ("panic", "let none: Vec<f64> = Vec::new(); let _ = none[3];"),
-        (
-            "loop",
-            "while self.normal != ray.origin { std::hint::black_box(0); }",
-        ),
-        (
-            "recursion",
-            "return self.intersect_ray(ray, min_t).map(|at| Intersection { t: at.t + 1.0, ..at });",
-        ),
-        (
-            "nan",
-            "return Some(Intersection { t: f64::NAN, normal: self.normal });",
-        ),
-    ];
-    for (name, body) in stops {
+    for (name, body) in STOPS {
         let text = with_body("plane", &format!("if min_t > 0.4 {{ {body} }}"));
         let folder = submission(&trusted(), &format!("stops-{name}"), &[("plane.rs", &text)]);
         let folder = folder.to_str().expect("a plain name");

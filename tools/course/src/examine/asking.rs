@@ -97,29 +97,41 @@ impl Examiner<'_> {
         })
     }
 
-    /// Asks about one film. If someone waits for the result, and the answer ends its process, for
-    /// instance because its stack overflows, this also finds the first question at which that
-    /// happens. A dead process can't say where it was, so this finds the question by asking about
-    /// fewer and fewer of them.
+    /// Asks about one film of a task.
     fn ask_alone(&self, task: &Task, job: &Job, wall: Duration) -> Result<Reply> {
         let mut reply = self.ask(&task.name, job, wall)?;
-        if self.interactive
-            && let (Ending::Died(_), Some(questions)) = (&reply.ending, job.questions())
-        {
-            let (mut first, mut end) = (0, questions.len());
-            while end - first > 1 {
-                // Usually it is one of the first. So ask about 1 question, then the next 2, 4, 8
-                // and so on. Once an answer has ended its process, halve.
-                let middle = (2 * first + 1).min(usize::midpoint(first, end));
-                let part = Job::Ask(questions.part(first..middle));
-                match self.ask(&task.name, &part, wall)?.is_whole() {
-                    true => first = middle,
-                    false => end = middle,
-                }
-            }
-            reply.still_at = Some(first);
-        }
+        self.find_death(&task.name, job, wall, &mut reply)?;
         Ok(reply)
+    }
+
+    /// If someone waits for the result, and an answer ended its process, for instance because its
+    /// stack overflowed, this finds the first question at which that happens. A dead process can't
+    /// say where it was, so this asks about fewer and fewer of the questions.
+    pub(super) fn find_death(
+        &self,
+        what: &str,
+        job: &Job,
+        wall: Duration,
+        reply: &mut Reply,
+    ) -> Result<()> {
+        if !self.interactive || !matches!(reply.ending, Ending::Died(_)) {
+            return Ok(());
+        }
+        let (mut first, mut end) = (0, job.len());
+        while end - first > 1 {
+            // Usually it is one of the first. So ask about 1 question, then the next 2, 4, 8
+            // and so on. Once an answer has ended its process, halve.
+            let middle = (2 * first + 1).min(usize::midpoint(first, end));
+            let Some(part) = job.part(first..middle) else {
+                return Ok(());
+            };
+            match self.ask(what, &part, wall)?.is_whole() {
+                true => first = middle,
+                false => end = middle,
+            }
+        }
+        reply.still_at = Some(first);
+        Ok(())
     }
 
     /// Asks about all films of a task in one process. `None` if some answer fails in a way that

@@ -143,10 +143,11 @@ impl Examiner<'_> {
                 (FilmOutcome::Blocked { by }, String::new(), None)
             }
             None => {
-                let reply = match cast {
+                let mut reply = match cast {
                     Some(reply) => reply.clone(),
                     None => self.ask_whole(&scene.name, &film.job)?,
                 };
+                self.find_death(&scene.name, &film.job, self.wall, &mut reply)?;
                 let judged = self.judge(&reply, &film, None)?;
                 tests = reply.own_tests(film.resolution);
                 // Like the question at which an answer stopped, see `Examiner::task`.
