@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
+from chance import log_uniform, ordinary_or_long, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import Question, ask
 from shapes.plane import Plane
 
@@ -53,14 +53,14 @@ def behind(rng):
 
 
 def min_t(rng):
-    """min_t below and above the plane's t."""
+    """min_t below and above the plane's t. If d is long, t is so small that no margin can be
+    added to min_t."""
     share = rng.uniform(0.1, 0.9) if rng.uniform() < 0.6 else rng.uniform(1.1, 3)
-    return place(rng, ahead=rng.uniform() < 0.95, min_t=share)
+    return place(rng, ahead=rng.uniform() < 0.95, min_t=share, length=ordinary_or_long(rng))
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e6, because t counts in units of |d|. For the longest, t is so small
-    that no margin can be added to min_t."""
+    """|d| from 1e-3 to 1e6, because t counts in units of |d|."""
     return place(rng, length=log_uniform(rng, 1e-3, 1e6))
 
 
@@ -135,7 +135,7 @@ def parallel(rng):
     normal = unit_vector(rng)
     along = perpendicular(rng, normal)
     side, angle = sign(rng), log_uniform(rng, 1.5e-4, 5e-2)
-    length = log_uniform(rng, 1e-14, 1) if rng.uniform() < 0.5 else length
+    length = log_uniform(rng, 1e-17, 1) if rng.uniform() < 0.5 else length
     towards = -side if rng.uniform() < 0.75 else side
     direction = length * (np.cos(angle) * along + towards * np.sin(angle) * normal)
     origin = point + rng.uniform(0, 5) * along + side * rng.uniform(0.5, 3) * normal

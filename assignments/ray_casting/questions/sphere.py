@@ -7,7 +7,7 @@ starts. A parameter below 1 is a hit. Drawn evenly over a disc of radius 1.29, 6
 
 import numpy as np
 
-from chance import log_uniform, perpendicular, unit_vector
+from chance import log_uniform, ordinary_or_long, perpendicular, unit_vector
 from kinds.intersect import ask
 from shapes.sphere import Sphere
 
@@ -63,7 +63,8 @@ def behind(rng):
 
 
 def min_t(rng):
-    """min_t below both roots, between them, or above both, equally often."""
+    """min_t below both roots, between them, or above both, equally often. If d is long, the
+    roots are so small that no margin can be added to min_t."""
     impact = 0.95 * np.sqrt(rng.uniform())
     below, between, above = rng.uniform(0.1, 0.9), rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
     case = rng.choice(("below", "between", "above"))
@@ -73,7 +74,7 @@ def min_t(rng):
             return below * near
         return near + between * (far - near) if case == "between" else above * far
 
-    return place(rng, impact=impact, min_t=least)
+    return place(rng, impact=impact, length=ordinary_or_long(rng), min_t=least)
 
 
 def direction_length(rng):

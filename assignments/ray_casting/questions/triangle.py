@@ -8,7 +8,7 @@ around it.
 import numpy as np
 
 from camera import normalize
-from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
+from chance import log_uniform, ordinary_or_long, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import ask
 from shapes.triangle import Triangles
 
@@ -116,9 +116,10 @@ def behind(rng):
 
 
 def min_t(rng):
-    """min_t below and above the triangle's t."""
+    """min_t below and above the triangle's t. If d is long, t is so small that no margin can be
+    added to min_t."""
     share = rng.uniform(0.1, 0.9) if rng.uniform() < 0.6 else rng.uniform(1.1, 3)
-    return place(rng, at=within(rng), min_t=share)
+    return place(rng, at=within(rng), length=ordinary_or_long(rng), min_t=share)
 
 
 def direction_length(rng):

@@ -220,8 +220,8 @@ fn half<'a>(samples: &[&'a Sample], fits: bool) -> Vec<&'a Sample> {
     half.copied().collect()
 }
 
-/// Every statement that may separate: conditions, and the bound of each quantity that
-/// separates best.
+/// Every statement that may separate: conditions, and the bounds of each quantity that separate
+/// best.
 fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Literal> {
     let Some(first) = wrong.first() else {
         return Vec::new();
@@ -239,8 +239,8 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
             continue;
         }
         // A count's bound is right next to the wrong samples, where we are sure of it.
-        let bound = |wrong: f64, right: f64| match first.quantities[k].is_count {
-            true => wrong + 0.5 * (right - wrong).signum(),
+        let bounds = |wrong: f64, right: f64| match first.quantities[k].is_count {
+            true => vec![wrong + 0.5 * (right - wrong).signum()],
             false => between(wrong, right),
         };
         let largest = wrong.iter().copied().fold(f64::MIN, f64::max);
@@ -252,29 +252,36 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
             below.fold(f64::MIN, f64::max),
         );
         if next < f64::MAX {
-            literals.push(Literal::Below(k, bound(largest, next)));
+            let bounds = bounds(largest, next).into_iter();
+            literals.extend(bounds.map(|bound| Literal::Below(k, bound)));
         }
         if last > f64::MIN {
-            literals.push(Literal::Above(k, bound(smallest, last)));
+            let bounds = bounds(smallest, last).into_iter();
+            literals.extend(bounds.map(|bound| Literal::Above(k, bound)));
         }
     }
     literals
 }
 
-/// The bound for a value like `wrong` but unlike `right`: 0 if it is one, or else the roundest number
-/// between them.
-fn between(wrong: f64, right: f64) -> f64 {
+/// Bounds for a value like `wrong` but unlike `right`. First what people write in code: 0, a power
+/// of ten, or the spacing of floating-point numbers at 1; then the number with the fewest digits.
+fn between(wrong: f64, right: f64) -> Vec<f64> {
     if wrong < 0.0 && right >= 0.0 || wrong > 0.0 && right <= 0.0 {
-        return 0.0;
+        return vec![0.0];
     }
     let (low, high) = (wrong.min(right), wrong.max(right));
     let middle = 0.5 * (low + high);
-    let rounded = (0..9).map(|digits| {
-        let text = format!("{middle:.digits$e}");
-        text.parse::<f64>().unwrap_or(middle)
-    });
-    let mut inside = rounded.filter(|it| low < *it && *it < high);
-    inside.next().unwrap_or(middle)
+    let is_inside = |it: &f64| low < *it && *it < high;
+    let parsed = |text: String| text.parse().unwrap_or(middle);
+    let power = parsed(format!("1e{}", high.abs().log10().floor()));
+    let mut rounded = (0..9).map(|digits| parsed(format!("{middle:.digits$e}")));
+    let shortest = rounded.find(is_inside).unwrap_or(middle);
+    let mut bounds = vec![power, f64::EPSILON, f64::from(f32::EPSILON)];
+    bounds.retain(is_inside);
+    if !bounds.contains(&shortest) {
+        bounds.push(shortest);
+    }
+    bounds
 }
 
 #[cfg(test)]
@@ -282,12 +289,14 @@ mod tests {
     use super::between;
 
     #[test]
-    fn the_plainest_bound_is_chosen() {
-        assert_eq!(between(-1e-22, 3e-9), 0.0);
-        assert_eq!(between(-1e-22, 0.0), 0.0);
-        assert_eq!(between(3e-9, -1e-22), 0.0);
-        assert_eq!(between(0.97, 1.04), 1.0);
+    fn plainest_bounds_come_first() {
+        assert_eq!(between(-1e-22, 3e-9), [0.0]);
+        assert_eq!(between(-1e-22, 0.0), [0.0]);
+        assert_eq!(between(3e-9, -1e-22), [0.0]);
+        assert_eq!(between(0.97, 1.04), [1.0]);
+        assert_eq!(between(9e-13, 4e-12), [1e-12, 2e-12]);
+        assert_eq!(between(9e-17, 8e-16), [1e-16, f64::EPSILON, 4e-16]);
         // A value of 0 would not be below 0.
-        assert_ne!(between(0.0, 2e-9), 0.0);
+        assert!(!between(0.0, 2e-9).contains(&0.0));
     }
 }

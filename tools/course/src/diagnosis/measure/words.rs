@@ -182,6 +182,10 @@ fn bounded(quantity: Quantity, than: &str, bound: f64) -> String {
         true => format!("{name} is {} or less", bound.floor()),
         false if bound == 0.0 && than == "less" => format!("{name} is negative"),
         false if bound == 0.0 => format!("{name} is positive"),
+        false if bound == f64::EPSILON => format!("{name} is {than} than `f64::EPSILON`"),
+        false if bound == f64::from(f32::EPSILON) => {
+            format!("{name} is {than} than `f32::EPSILON`")
+        }
         false => format!("{name} is {than} than {}", number(bound, DIGITS)),
     }
 }
