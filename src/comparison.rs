@@ -169,6 +169,11 @@ impl<'a> FilmComparison<'a> {
         self.parts.len()
     }
 
+    /// Whether a part is the length of the vector that is the part before it.
+    pub fn is_length(&self, part: usize) -> bool {
+        matches!(self.parts[part], Part::Length(_))
+    }
+
     /// In how many pixels each part is wrong, where it can be seen.
     pub fn failing_parts(&self) -> Vec<f64> {
         let count = |part: usize| {

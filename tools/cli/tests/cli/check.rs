@@ -455,6 +455,14 @@ fn an_unknown_mistake_is_described_by_what_is_measured() {
 }
 
 #[test]
+fn a_known_mistake_in_t_is_named_whatever_formula_the_normal_has() {
+    // The reference divides by the radius, which is right only if t is. The known mistake scales
+    // its normal to unit length.
+    let said = said_of("sphere", "ray.direction.length_squared()", "1.0");
+    assert!(said.contains("A direction is a unit vector"), "{said}");
+}
+
+#[test]
 fn no_scene_is_explained_by_a_belief_about_a_task_that_passes() {
     // No question has more than six objects. In scenes with more, the last one that is met wins,
     // as in a known mistake that fails the questions.

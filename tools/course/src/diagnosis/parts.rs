@@ -30,6 +30,8 @@ struct FilmParts<'a> {
     pixels: usize,
     /// In how many pixels each part is wrong, counted where it can be compared.
     failing: Vec<f64>,
+    /// Whether each part is the length of the part before it.
+    lengths: Vec<bool>,
     /// How well each belief that shows in this film agrees. Empty for one that panics.
     agreements: BTreeMap<&'a str, Vec<PartAgreement>>,
 }
@@ -49,6 +51,7 @@ impl<'a> FilmParts<'a> {
         Some(FilmParts {
             pixels: evidence.pixels,
             failing: film.failing_parts(),
+            lengths: (0..film.parts()).map(|part| film.is_length(part)).collect(),
             agreements: agreements.collect(),
         })
     }
@@ -114,13 +117,32 @@ const FEW: f64 = 0.015;
 /// either.
 const LEAST: f64 = 24.0;
 
-/// Whether these beliefs together explain what is wrong in a part of a film.
-fn explains(film: &FilmParts, part: usize, beliefs: &[&str]) -> bool {
-    let failing = film.failing.get(part).copied().unwrap_or(0.0);
-    let (shared, absent) = film.shared_and_absent(part, beliefs);
-    let few = FEW * film.pixels as f64;
-    let apart = failing - shared.min(failing) + absent;
-    apart <= few || shared.min(failing) >= ENOUGH * (failing + absent)
+/// How many standard errors the estimate from a sample may be off.
+const STANDARD_ERRORS: f64 = 2.5;
+
+/// Whether these beliefs together explain what is wrong in a part of the films.
+fn explains(films: &[FilmParts], part: usize, beliefs: &[&str]) -> bool {
+    let is_enough = |pixels: usize, failing: f64, shared: f64, absent: f64, off: f64| {
+        let apart = failing - shared.min(failing) + absent;
+        apart <= FEW * pixels as f64 || shared.min(failing) + off >= ENOUGH * (failing + absent)
+    };
+    let (mut pixels, mut sums) = (0, [0.0; 3]);
+    let is_whole = |film: &FilmParts| {
+        let failing = film.failing.get(part).copied().unwrap_or(0.0);
+        let (shared, absent) = film.shared_and_absent(part, beliefs);
+        pixels += film.pixels;
+        for (sum, count) in sums.iter_mut().zip([failing, shared, absent]) {
+            *sum += count;
+        }
+        // A film has only a sample of the pixels that a belief gets wrong, each with the same
+        // weight. The variance of a count is at most the count itself.
+        let weights = beliefs.iter().map(|belief| film.part(belief, part).weight);
+        let off = STANDARD_ERRORS * (weights.fold(0.0, f64::max) * failing).sqrt();
+        is_enough(film.pixels, failing, shared, absent, off)
+    };
+    let each = films.iter().all(is_whole);
+    let [failing, shared, absent] = sums;
+    each && is_enough(pixels, failing, shared, absent, 0.0)
 }
 
 /// How many pixels a belief spoils in a part, in all films.
@@ -131,20 +153,23 @@ fn predicted(films: &[FilmParts], part: usize, belief: &str) -> f64 {
         .sum()
 }
 
-/// Whether a belief explains all errors in some part of every film, and no other part
-/// contradicts it.
-fn holds_a_part(films: &[FilmParts], parts: usize, belief: &str) -> bool {
-    let is_whole = |part: usize| films.iter().all(|film| explains(film, part, &[belief]));
+/// In how many parts a belief explains all errors of every film; 0 if another part contradicts it.
+/// A vector and its length count as one.
+fn parts_explained(films: &[FilmParts], parts: usize, belief: &str) -> usize {
     let spoiled = (0..parts).filter(|part| predicted(films, *part, belief) > 0.0);
-    let (mut whole, mut denied) = (false, false);
+    let (mut explained, mut length) = (0, false);
     for part in spoiled {
-        match is_whole(part) {
-            true => whole |= predicted(films, part, belief) >= LEAST,
-            // The value may be wrong in another way, because a second mistake changed it too.
-            false => denied |= !is_touched(films, part, belief),
+        if explains(films, part, &[belief]) {
+            let is_length = films.iter().all(|film| film.lengths[part]);
+            let is_much = predicted(films, part, belief) >= LEAST;
+            length |= is_much && is_length;
+            explained += usize::from(is_much && !is_length);
+        // The value may be wrong in another way, because a second mistake changed it too.
+        } else if !is_touched(films, part, belief) {
+            return 0;
         }
     }
-    whole && !denied
+    explained.max(length.into())
 }
 
 /// Whether something is wrong where a belief gets it right, or the belief gets hardly any hit
@@ -209,10 +234,13 @@ pub fn partial<'a>(evidence: &[Evidence], candidates: &[&'a str]) -> Option<Vec<
     if !pairs.is_empty() {
         return most_likely(pairs);
     }
-    let held: Vec<&'a str> = shown
-        .into_iter()
-        .filter(|belief| holds_a_part(films, parts, belief) && leaves_room(evidence, belief))
-        .collect();
+    // A belief that explains two parts, such as which object is hit and t, is no coincidence.
+    let is_held = |belief: &str| match parts_explained(films, parts, belief) {
+        0 => false,
+        1 => leaves_room(evidence, belief),
+        _ => true,
+    };
+    let held: Vec<&'a str> = shown.into_iter().filter(|it| is_held(it)).collect();
     match held.as_slice() {
         [one] => Some(vec![*one]),
         _ => None,
@@ -236,10 +264,7 @@ fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
 /// Whether two beliefs explain every part of every film, and neither does alone.
 fn explain_all(films: &[FilmParts], parts: usize, one: &str, other: &str) -> bool {
     let both = [one, other];
-    let is_explained = |part: usize, beliefs: &[&str]| {
-        let mut all = films.iter();
-        all.all(|film| explains(film, part, beliefs))
-    };
+    let is_explained = |part: usize, beliefs: &[&str]| explains(films, part, beliefs);
     let mut needs = [false, false];
     let mut explained = false;
     for part in 0..parts {

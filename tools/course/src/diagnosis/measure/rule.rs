@@ -245,6 +245,10 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
         };
         let largest = wrong.iter().copied().fold(f64::MIN, f64::max);
         let smallest = wrong.iter().copied().fold(f64::MAX, f64::min);
+        // If all wrong samples have the same value, such as 0, it is no bound that they share.
+        if smallest == largest && !first.quantities[k].is_count {
+            continue;
+        }
         let above = right.iter().copied().filter(|it| *it > largest);
         let below = right.iter().copied().filter(|it| *it < smallest);
         let (next, last) = (
