@@ -5,11 +5,13 @@ mod diagnose;
 mod earlier;
 mod judged_film;
 mod scenes;
+#[cfg(test)]
+mod tests;
 
 use std::time::Duration;
 
 use pinhole::Fact;
-use pinhole::ask::MOST_PRINTED;
+use pinhole::ask::{MOST_PRINTED, Reply};
 use pinhole::job::Job;
 use pinhole::judge::Verdict;
 use rayon::prelude::*;
@@ -95,6 +97,15 @@ impl Selection {
     }
 }
 
+/// Groups of a task that were asked about, and how each was judged.
+struct JudgedGroups<'q> {
+    outcomes: Vec<GroupOutcome>,
+    casts: Vec<Cast<'q>>,
+    pictures: Vec<GroupPicture>,
+    /// What the code printed.
+    printed: String,
+}
+
 impl Examiner<'_> {
     /// Asks everything that is selected.
     ///
@@ -105,18 +116,13 @@ impl Examiner<'_> {
         let tasks: Vec<&Task> = tasks
             .filter(|task| selection.has_task(&task.name))
             .collect();
-        let (mut pictures, mut printed) = (Vec::new(), Vec::new());
-        let mut answered = Vec::new();
-        for (outcome, drawn, text) in self.each(&tasks, |task| self.task(task))? {
-            answered.push(outcome);
-            pictures.extend(drawn);
-            printed.push(text);
-        }
-        let tasks = answered;
         let scenes = self.goldens.scenes.iter();
         let scenes: Vec<&GoldenScene> = scenes
             .filter(|scene| selection.has_scene(&scene.name))
             .collect();
+        let (public, hidden): (Vec<&GoldenScene>, Vec<&GoldenScene>) = scenes
+            .iter()
+            .partition(|scene| self.interactive || self.is_public(&scene.name));
         let (program, earlier) = match scenes.is_empty() {
             true => (self.program.clone(), None),
             false => self.judge_earlier()?,
@@ -125,9 +131,27 @@ impl Examiner<'_> {
             program: &program,
             ..*self
         };
-        let mut outcomes = Vec::new();
-        let mut films = Vec::new();
-        for (outcome, film, text) in caster.scenes(&scenes, &tasks)? {
+        // Ask about everything withheld last. Otherwise, code that has seen it could make its
+        // process end at a certain time, from which a later process could tell what it has seen.
+        let (mut pictures, mut printed) = (Vec::new(), Vec::new());
+        let mut answered = Vec::new();
+        for (outcome, drawn, text) in self.each(&tasks, |task| self.task(task))? {
+            answered.push(outcome);
+            pictures.extend(drawn);
+            printed.push(text);
+        }
+        let mut cast = caster.scenes(&public, &answered)?;
+        for (task, outcome) in tasks.iter().zip(&mut answered) {
+            let (drawn, text) = self.withheld_groups(task, outcome)?;
+            pictures.extend(drawn);
+            printed.push(text);
+        }
+        let tasks = answered;
+        cast.extend(caster.scenes(&hidden, &tasks)?);
+        let place = |name: &str| scenes.iter().position(|scene| scene.name == name);
+        cast.sort_by_key(|(outcome, ..)| place(&outcome.name));
+        let (mut outcomes, mut films) = (Vec::new(), Vec::new());
+        for (outcome, film, text) in cast {
             outcomes.push(outcome);
             films.push(film);
             printed.push(text);
@@ -213,23 +237,73 @@ impl Examiner<'_> {
         }
     }
 
+    /// Asks about all groups of a task that are not withheld.
     fn task(&self, task: &Task) -> Result<(TaskOutcome, Vec<GroupPicture>, String)> {
         let questions = self.goldens.cached_questions(task)?;
-        let all = self.ask_task(task, &questions)?;
-        let printed: String = all.iter().map(|reply| reply.printed.as_str()).collect();
-        let mut replies = all.iter();
-        let mut results = Vec::new();
+        let asked_groups = self.ask_task(task, &questions, false)?;
+        let judged = self.judge_groups(task, &asked_groups)?;
+        let passes = judged.outcomes.iter().all(|group| group.outcome.passes());
+        let diagnosis = match passes {
+            true => Diagnosis::default(),
+            false => timed("diagnose tasks", || {
+                self.goldens.diagnose_task(&task.name, &judged.casts)
+            })?,
+        };
+        let measured = timed("measure errors", || {
+            let asked = asked(task, &asked_groups);
+            match passes {
+                false => measure(&asked),
+                true if self.interactive => single_precision(&asked).into_iter().collect(),
+                true => Vec::new(),
+            }
+        });
+        let replaced = self.program.replaced.get(&task.name);
+        let findings = measured.into_iter().map(|measured| measured.finding);
+        let findings = findings.collect();
+        let mut outcome = TaskOutcome::new(task, replaced, judged.outcomes, diagnosis, findings);
+        if self.interactive && !passes && !outcome.is_unanswered() {
+            let warnings = self.program.warnings.get(&task.name);
+            outcome.warnings = warnings.cloned().unwrap_or_default();
+        }
+        Ok((outcome, judged.pictures, judged.printed))
+    }
+
+    /// Asks about the groups of a task that are withheld, and adds them to the outcome of the
+    /// others. What the outcome says of the others, such as a diagnosis, does not depend on them.
+    fn withheld_groups(
+        &self,
+        task: &Task,
+        outcome: &mut TaskOutcome,
+    ) -> Result<(Vec<GroupPicture>, String)> {
+        let questions = self.goldens.cached_questions(task)?;
+        let asked = self.ask_task(task, &questions, true)?;
+        let judged = self.judge_groups(task, &asked)?;
+        outcome.groups.extend(judged.outcomes);
+        let groups = &questions.groups;
+        let place = |name: &str| groups.iter().position(|group| group.name == name);
+        outcome.groups.sort_by_key(|group| place(&group.name));
+        Ok((judged.pictures, judged.printed))
+    }
+
+    fn judge_groups<'q>(
+        &self,
+        task: &Task,
+        asked: &[(&'q Group, Vec<Reply>)],
+    ) -> Result<JudgedGroups<'q>> {
+        let replies = asked.iter().flat_map(|(_, replies)| replies);
+        let printed: String = replies.map(|reply| reply.printed.as_str()).collect();
+        let mut outcomes = Vec::new();
         let mut casts = Vec::new();
         let mut pictures: Vec<GroupPicture> = Vec::new();
-        for Group {
-            name,
-            worth,
-            about,
-            films,
-        } in &questions.groups
-        {
+        for (group, replies) in asked {
+            let Group {
+                name,
+                worth,
+                about,
+                films,
+            } = *group;
             let mut result = None;
-            for (film, reply) in films.iter().zip(replies.by_ref()) {
+            for (film, reply) in films.iter().zip(replies) {
                 let judged = self.judge(reply, film, Some(&task.name))?;
                 let worst = match &judged.verdict {
                     Some(Ok(verdict)) => {
@@ -258,13 +332,11 @@ impl Examiner<'_> {
                         shows,
                     });
                 }
-                if !self.withholds(task, name) {
-                    casts.push(Cast {
-                        asked: film,
-                        film: judged.film,
-                        end: outcome.clone(),
-                    });
-                }
+                casts.push(Cast {
+                    asked: film,
+                    film: judged.film,
+                    end: outcome.clone(),
+                });
                 if is_reported {
                     result = Some((outcome, worst));
                 }
@@ -275,7 +347,7 @@ impl Examiner<'_> {
                     "restore the goldens: git checkout -- golden",
                 )
             })?;
-            results.push(GroupOutcome::new(
+            outcomes.push(GroupOutcome::new(
                 name.clone(),
                 about.clone(),
                 *worth,
@@ -283,29 +355,12 @@ impl Examiner<'_> {
                 worst,
             ));
         }
-        let passes = results.iter().all(|group| group.outcome.passes());
-        let diagnosis = match passes {
-            true => Diagnosis::default(),
-            false => timed("diagnose tasks", || {
-                self.goldens.diagnose_task(&task.name, &casts)
-            })?,
-        };
-        let measured = timed("measure errors", || {
-            let asked = asked(task, &questions, &all);
-            match passes {
-                false => measure(&asked),
-                true if self.interactive => single_precision(&asked).into_iter().collect(),
-                true => Vec::new(),
-            }
-        });
-        let replaced = self.program.replaced.get(&task.name);
-        let findings = measured.into_iter().map(|measured| measured.finding);
-        let mut outcome = TaskOutcome::new(task, replaced, results, diagnosis, findings.collect());
-        if self.interactive && !passes && !outcome.is_unanswered() {
-            let warnings = self.program.warnings.get(&task.name);
-            outcome.warnings = warnings.cloned().unwrap_or_default();
-        }
-        Ok((outcome, pictures, printed))
+        Ok(JudgedGroups {
+            outcomes,
+            casts,
+            pictures,
+            printed,
+        })
     }
 
     /// What the answer prints when it is asked only the worst question of a verdict.

@@ -49,11 +49,11 @@ pub fn is_ours(path: &Path) -> bool {
     is_closed(path, 0o022)
 }
 
-/// Whether only its owner and root can reach a folder, because of its own mode or that of a folder
-/// around it. True if it isn't there.
+/// Whether only we and root can reach a folder, because it or a folder around it is private. True
+/// if it isn't there.
 pub fn is_hidden(folder: &Path) -> bool {
     let folder = folder.canonicalize().ok();
-    folder.is_none_or(|it| it.ancestors().any(|it| is_closed(it, 0o077)))
+    folder.is_none_or(|it| it.ancestors().any(is_private))
 }
 
 /// Whether nobody but the owner has any of these permissions.
@@ -93,4 +93,8 @@ fn nobody_else_reaches_a_readable_folder_in_a_private_one() {
     assert!(!is_hidden(Path::new("/")));
     make_private(private.path()).expect("it is ours");
     assert!(is_hidden(&inside) && !is_private(&inside));
+    if rustix::process::geteuid().is_root() {
+        std::os::unix::fs::chown(private.path(), Some(12345), None).expect("root may");
+        assert!(!is_hidden(&inside));
+    }
 }

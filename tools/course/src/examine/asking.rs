@@ -11,7 +11,7 @@ use super::Examiner;
 use crate::assignment::Task;
 use crate::compile::Program;
 use crate::error::{Result, ResultExt};
-use crate::goldens::questions::{QuestionFilm, Questions};
+use crate::goldens::questions::{Group, QuestionFilm, Questions};
 use crate::sandbox::{Limits, Sandbox};
 use crate::timings::{self, timed};
 
@@ -43,11 +43,27 @@ const LEAST_WALL: Duration = Duration::from_secs(2);
 const MOST_LATE: usize = 3;
 
 impl Examiner<'_> {
-    /// A reply to each film of a task.
-    pub(super) fn ask_task(&self, task: &Task, questions: &Questions) -> Result<Vec<Reply>> {
-        let batches = questions.batches();
-        let replies = batches.map(|(films, job)| self.ask_batch(task, films, job));
-        Ok(replies.collect::<Result<Vec<_>>>()?.concat())
+    /// A task's groups that are withheld, or the others, with a reply to each film.
+    pub(super) fn ask_task<'q>(
+        &self,
+        task: &Task,
+        questions: &'q Questions,
+        withheld: bool,
+    ) -> Result<Vec<(&'q Group, Vec<Reply>)>> {
+        let mut asked = Vec::new();
+        for (groups, job) in questions.batches() {
+            if groups.iter().any(|group| self.withholds(task, &group.name)) != withheld {
+                continue;
+            }
+            let films = groups.iter().flat_map(|group| &group.films);
+            let mut replies = self.ask_batch(task, films.collect(), job)?.into_iter();
+            let of_group = |group: &'q Group| {
+                let replies = replies.by_ref().take(group.films.len());
+                (group, replies.collect())
+            };
+            asked.extend(groups.iter().map(of_group));
+        }
+        Ok(asked)
     }
 
     fn ask_batch(

@@ -10,7 +10,7 @@ use crate::diagnosis::measure::QuestionsAndAnswers;
 use crate::diagnosis::{Diagnosis, Explanation, Reading};
 use crate::error::Result;
 use crate::goldens::Goldens;
-use crate::goldens::questions::{QuestionFilm, Questions};
+use crate::goldens::questions::{Group, QuestionFilm};
 use crate::outcome::{Examination, FilmOutcome, TaskOutcome};
 
 /// One of several beliefs is mentioned at a scene only if it explains at least this share of
@@ -30,21 +30,19 @@ pub struct Cast<'a> {
     pub end: FilmOutcome,
 }
 
-/// The questions of a task and the replies to its films, in the groups' order, for measuring.
-/// Groups about the pixels of scenes are left out, because a scene may be withheld.
+/// The questions of groups and the replies to their films, for measuring. Groups about the pixels of
+/// scenes are left out, because a scene may be withheld.
 pub fn asked<'a>(
     task: &Task,
-    questions: &'a Questions,
-    replies: &'a [Reply],
+    groups: &'a [(&'a Group, Vec<Reply>)],
 ) -> Vec<QuestionsAndAnswers<'a>> {
-    let films = questions.groups.iter().flat_map(|group| {
-        let of_scenes = task.is_of_scenes(&group.name);
-        group.films.iter().map(move |film| (film, of_scenes))
-    });
-    films
-        .zip(replies)
-        .filter(|((_, of_scenes), reply)| !of_scenes && reply.is_whole())
-        .filter_map(|((film, _), reply)| {
+    let groups = groups
+        .iter()
+        .filter(|(group, _)| !task.is_of_scenes(&group.name));
+    groups
+        .flat_map(|(group, replies)| group.films.iter().zip(replies))
+        .filter(|(_, reply)| reply.is_whole())
+        .filter_map(|(film, reply)| {
             Some(QuestionsAndAnswers {
                 questions: film.job.questions()?,
                 answers: &reply.answers,

@@ -36,10 +36,9 @@ impl Examiner<'_> {
 
     fn failing_group(&self, earlier: &EarlierAnswer) -> Result<Option<String>> {
         let questions = Goldens::of_earlier(self.assignment.course(), earlier)?;
-        let mut replies = self.ask_task(&earlier.task, &questions)?.into_iter();
-        for group in &questions.groups {
-            for (film, reply) in group.films.iter().zip(replies.by_ref()) {
-                let judged = self.judge(&reply, film, Some(&earlier.task.name))?;
+        for (group, replies) in self.ask_task(&earlier.task, &questions, false)? {
+            for (film, reply) in group.films.iter().zip(&replies) {
+                let judged = self.judge(reply, film, Some(&earlier.task.name))?;
                 if !judged.outcome.passes() {
                     return Ok(Some(format!("it fails the group `{}`", group.name)));
                 }

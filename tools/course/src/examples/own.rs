@@ -8,7 +8,7 @@ use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use pinhole::Shape;
-use pinhole::judge::judge;
+use pinhole::judge::{Refusal, judge};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -23,6 +23,7 @@ use crate::goldens::Goldens;
 use crate::mistake::{self, MistakeFolder};
 use crate::mistake_films::{build, cast};
 use crate::mitsuba;
+use crate::private::make_private;
 use crate::progress::Progress;
 
 /// The questions that a student has written, in a folder of goldens that exists as long as this.
@@ -67,6 +68,7 @@ impl OwnQuestions {
         let plain = plain.or_input(path.display(), "use numbers of ordinary size")?;
         let file = folder.join("examples.toml");
         fs::create_dir_all(&folder)
+            .and_then(|()| make_private(&folder))
             .and_then(|()| fs::write(&file, plain.to_string()))
             .or_fail(&Error::file(&file))?;
         let progress = match interactive {
@@ -110,10 +112,15 @@ impl OwnQuestions {
         progress.say("the mistakes");
         // Mitsuba computes in single precision, which is too little for a tiny shape far away.
         let reference = build(&assignment.reference(), assignment, checkout)?;
-        let verdict = cast(&reference, &film)?.map(|own| judge(&film.golden, &own));
-        if let Some(Ok(verdict)) = verdict
-            && let Some(place) = verdict.failing.first()
-        {
+        let place = match cast(&reference, &film)?.map(|own| judge(&film.golden, &own)) {
+            Some(Ok(verdict)) => verdict.failing.first().copied(),
+            Some(Err(Refusal::NotFinite { pixel, .. })) => Some(film.resolution.index(pixel)),
+            Some(Err(_)) | None => {
+                let problem = format!("our own solution can't be asked {OWN}s");
+                return Err(Error::environment(problem, "run: cargo pinhole validate"));
+            }
+        };
+        if let Some(place) = place {
             let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
             return Err(Error::input(problem, "use numbers of ordinary size"));
         }

@@ -45,15 +45,13 @@ impl Questions {
         Questions { groups, batches }
     }
 
-    /// The films of each batch, and the jobs of all of them as one.
-    pub fn batches(&self) -> impl Iterator<Item = (Vec<&QuestionFilm>, Option<&Job>)> {
-        let mut groups = self.groups.iter();
+    /// The groups of each batch, and the jobs of all of them as one.
+    pub fn batches(&self) -> impl Iterator<Item = (&[Group], Option<&Job>)> {
+        let mut next = 0;
         self.batches.iter().map(move |batch| {
-            let films = groups.by_ref().take(batch.groups);
-            (
-                films.flat_map(|group| &group.films).collect(),
-                batch.job.as_ref(),
-            )
+            let first = next;
+            next += batch.groups;
+            (&self.groups[first..next], batch.job.as_ref())
         })
     }
 }

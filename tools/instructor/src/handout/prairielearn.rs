@@ -12,7 +12,7 @@ use super::{Files, HandoutSize, gradescope};
 use crate::grade::cache::pretty;
 use crate::grade::provenance::sha256;
 use crate::grade::redact::Reveal;
-use pinhole_course::assignment::Assignment;
+use pinhole_course::assignment::{Assignment, Task, examples_file};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::private::make_private;
@@ -66,8 +66,16 @@ pub fn write(
 
 /// Everything except the course that the image grades with.
 fn question(assignment: &Assignment) -> Result<Files> {
-    let names: Vec<String> = assignment.tasks.iter().map(|task| task.file()).collect();
+    let names: Vec<String> = assignment.tasks.iter().map(Task::file).collect();
     let names = names.join(",");
+    let earlier = assignment.answerable().skip(assignment.tasks.len());
+    let examples = assignment.with_examples();
+    let examples = examples.map(|task| examples_file(&task.name));
+    let optional: Vec<String> = earlier.map(Task::file).chain(examples).collect();
+    let optional = match optional.as_slice() {
+        [] => String::new(),
+        names => format!(" optional-file-names=\"{}\"", names.join(",")),
+    };
     let info = json!({
         "uuid": uuid(&assignment.name),
         "title": assignment.title,
@@ -85,7 +93,7 @@ fn question(assignment: &Assignment) -> Result<Files> {
     });
     let html = format!(
         "<pl-question-panel>\n  <p>Hand in the files of your answers.</p>\n  \
-         <pl-file-upload file-names=\"{names}\"></pl-file-upload>\n</pl-question-panel>\n\n\
+         <pl-file-upload file-names=\"{names}\"{optional}></pl-file-upload>\n</pl-question-panel>\n\n\
          <pl-submission-panel>\n  <pl-external-grader-results></pl-external-grader-results>\n  \
          <pl-file-preview></pl-file-preview>\n</pl-submission-panel>\n"
     );
@@ -121,7 +129,9 @@ mod tests {
     #[test]
     fn a_question_names_every_answer_file_and_its_grader() {
         let checkout = Checkout::at(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")));
-        let assignment = Assignment::read(&checkout, "ray_casting").expect("it is there");
+        let mut assignment = Assignment::read(&checkout, "bounding_volumes").expect("it is there");
+        let points = toml::from_str("points = 2\ncatch = 0.8").expect("it is right");
+        assignment.tasks[0].examples = Some(points);
         let files = question(&assignment).expect("it can be made");
         let text = |name: &str| String::from_utf8_lossy(&files[name]).into_owned();
         let info: serde_json::Value =
@@ -134,9 +144,12 @@ mod tests {
         let uuid = info["uuid"].as_str().expect("it has one");
         let lengths: Vec<usize> = uuid.split('-').map(str::len).collect();
         assert_eq!(lengths, [8, 4, 4, 4, 12], "{uuid}");
+        let html = text("question/question.html");
         for task in &assignment.tasks {
-            let html = text("question/question.html");
             assert!(html.contains(&task.file()), "{html}");
         }
+        let (first, earlier) = (&assignment.tasks[0].name, "triangle.rs");
+        let optional = format!(" optional-file-names=\"{earlier},{first}.examples.toml\"");
+        assert!(html.contains(&optional), "{html}");
     }
 }

@@ -95,10 +95,24 @@ fn examples_earn_all_their_points_or_none() {
     let few = &RIGHT[..RIGHT.rfind("[[").expect("two examples")];
     let wrong = RIGHT.replace("false", "true");
     let evil = format!("<script>alert(1)</script>\u{202e}{}", "x".repeat(2000));
+    // More own rays than fit into one row of a film, each with another t.
+    let many: String = (1..=40)
+        .map(|t| {
+            OWN.replace("4]", &format!("{}]", 2 * t))
+                .replace("t = 2", &format!("t = {t}"))
+        })
+        .collect();
+    // The ray hits, but its t is too large for single precision.
+    let beyond = OWN
+        .replace("4], d = [0, 0, -2]", "3.4e38], d = [0, 0, -1]")
+        .replace("0], n", "-3.4e38], n")
+        .replace("t = 2", "hit = false");
     for (who, examples) in [
-        ("evil", &*few.replace("min_t", &evil)),
+        ("beyond", &*format!("{RIGHT}{beyond}")),
+        ("evil", &few.replace("min_t", &evil)),
         ("few", few),
         ("huge", &"#".repeat(300_000)),
+        ("many", &format!("{RIGHT}{many}")),
         ("none", ""),
         ("own", &format!("{RIGHT}{OWN}")),
         ("right", RIGHT),
@@ -106,8 +120,10 @@ fn examples_earn_all_their_points_or_none() {
     ] {
         class.hand_in(who, examples);
     }
-    let points = "evil 0, few 0, huge 0, none 0, own 2, right 2, wrong 0";
-    assert_eq!(class.grade(), (7, points.into()));
+    let points = "beyond 0, evil 0, few 0, huge 0, many 2, none 0, own 2, right 2, wrong 0";
+    assert_eq!(class.grade(), (9, points.into()));
+    let report = class.read("submissions/beyond/report.html");
+    assert!(report.contains("precision is too low for own ray 0"));
     let report = class.read("submissions/evil/report.html");
     let shown = |part: &str| report.contains(part);
     assert!(shown("alert(1)") && !shown("<script>alert") && !shown("\u{202e}"));
@@ -121,11 +137,11 @@ fn examples_earn_all_their_points_or_none() {
     class.change("points = 2, catch", "points = 5, catch");
     class.hand_in("right", &wrong);
     class.hand_in("none", RIGHT);
-    let points = "evil 0, few 0, huge 0, none 5, own 5, right 0, wrong 0";
+    let points = "beyond 0, evil 0, few 0, huge 0, many 5, none 5, own 5, right 0, wrong 0";
     assert_eq!(class.grade(), (2, points.into()));
     class.change("catch = 0.8", "catch = 0.5");
-    let points = "evil 0, few 5, huge 0, none 5, own 5, right 0, wrong 0";
-    assert_eq!(class.grade(), (7, points.into()));
+    let points = "beyond 0, evil 0, few 5, huge 0, many 5, none 5, own 5, right 0, wrong 0";
+    assert_eq!(class.grade(), (9, points.into()));
     class.change("catch = 0.5", "catch = 5");
     let problem = "assignment.toml:19: `disk` can't have these `examples`";
     class.run(&["check"]).expect_code(2).expect_err(problem);
