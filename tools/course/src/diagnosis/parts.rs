@@ -117,11 +117,12 @@ const FEW: f64 = 0.015;
 /// either.
 const LEAST: f64 = 24.0;
 
-/// How many standard errors the estimate from a sample may be off.
+/// If a belief explains several parts, a film may disagree by this many standard errors.
 const STANDARD_ERRORS: f64 = 2.5;
 
-/// Whether these beliefs together explain what is wrong in a part of the films.
-fn explains(films: &[FilmParts], part: usize, beliefs: &[&str]) -> bool {
+/// Whether these beliefs together explain what is wrong in a part of the films. A single film may
+/// disagree by this many standard errors, because its estimate comes from a sample.
+fn explains(films: &[FilmParts], part: usize, beliefs: &[&str], errors: f64) -> bool {
     let is_enough = |pixels: usize, failing: f64, shared: f64, absent: f64, off: f64| {
         let apart = failing - shared.min(failing) + absent;
         apart <= FEW * pixels as f64 || shared.min(failing) + off >= ENOUGH * (failing + absent)
@@ -134,10 +135,10 @@ fn explains(films: &[FilmParts], part: usize, beliefs: &[&str]) -> bool {
         for (sum, count) in sums.iter_mut().zip([failing, shared, absent]) {
             *sum += count;
         }
-        // A film has only a sample of the pixels that a belief gets wrong, each with the same
-        // weight. The variance of a count is at most the count itself.
+        // The pixels of the sample have the same weight. The variance of a count is at most the
+        // count itself.
         let weights = beliefs.iter().map(|belief| film.part(belief, part).weight);
-        let off = STANDARD_ERRORS * (weights.fold(0.0, f64::max) * failing).sqrt();
+        let off = errors * (weights.fold(0.0, f64::max) * failing).sqrt();
         is_enough(film.pixels, failing, shared, absent, off)
     };
     let each = films.iter().all(is_whole);
@@ -154,12 +155,12 @@ fn predicted(films: &[FilmParts], part: usize, belief: &str) -> f64 {
 }
 
 /// In how many parts a belief explains all errors of every film; 0 if another part contradicts it.
-/// A vector and its length count as one.
-fn parts_explained(films: &[FilmParts], parts: usize, belief: &str) -> usize {
+/// A vector and its length count as one. About `errors`, see [`explains`].
+fn parts_explained(films: &[FilmParts], parts: usize, belief: &str, errors: f64) -> usize {
     let spoiled = (0..parts).filter(|part| predicted(films, *part, belief) > 0.0);
     let (mut explained, mut length) = (0, false);
     for part in spoiled {
-        if explains(films, part, &[belief]) {
+        if explains(films, part, &[belief], errors) {
             let is_length = films.iter().all(|film| film.lengths[part]);
             let is_much = predicted(films, part, belief) >= LEAST;
             length |= is_much && is_length;
@@ -235,10 +236,9 @@ pub fn partial<'a>(evidence: &[Evidence], candidates: &[&'a str]) -> Option<Vec<
         return most_likely(pairs);
     }
     // A belief that explains two parts, such as which object is hit and t, is no coincidence.
-    let is_held = |belief: &str| match parts_explained(films, parts, belief) {
-        0 => false,
-        1 => leaves_room(evidence, belief),
-        _ => true,
+    let is_held = |belief: &str| {
+        parts_explained(films, parts, belief, STANDARD_ERRORS) > 1
+            || parts_explained(films, parts, belief, 0.0) == 1 && leaves_room(evidence, belief)
     };
     let held: Vec<&'a str> = shown.into_iter().filter(|it| is_held(it)).collect();
     match held.as_slice() {
@@ -264,7 +264,7 @@ fn most_likely(mut pairs: Vec<([&str; 2], f64)>) -> Option<Vec<&str>> {
 /// Whether two beliefs explain every part of every film, and neither does alone.
 fn explain_all(films: &[FilmParts], parts: usize, one: &str, other: &str) -> bool {
     let both = [one, other];
-    let is_explained = |part: usize, beliefs: &[&str]| explains(films, part, beliefs);
+    let is_explained = |part: usize, beliefs: &[&str]| explains(films, part, beliefs, 0.0);
     let mut needs = [false, false];
     let mut explained = false;
     for part in 0..parts {

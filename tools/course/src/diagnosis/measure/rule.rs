@@ -89,7 +89,12 @@ impl Rule {
         match self.scope {
             Scope::Exactly => missed <= few && extra <= few,
             Scope::Everywhere => missed <= few,
-            Scope::Partly => extra == 0 && met(wrong) * LEAST_COVERED >= wrong.len().max(1),
+            Scope::Partly => {
+                // Of the many pairs of conditions, some separate a few samples by chance.
+                let least = if self.literals.len() > 1 { LEAST } else { 1 };
+                let met = met(wrong);
+                extra == 0 && met >= least && met * LEAST_COVERED >= wrong.len().max(1)
+            }
         }
     }
 }
