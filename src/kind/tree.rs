@@ -167,7 +167,7 @@ impl Question for TreeQuestion {
 }
 
 impl TreeMeasures {
-    /// "a tree with depth 5, at most 4 triangles in a leaf, and an expected 12.3 tests for a ray".
+    /// "a tree with depth 5, at most 4 triangles in a leaf, and an expected 12.3 tests per ray".
     ///
     /// A golden's own measures are all 0, which no tree has.
     pub(super) fn words(&self, digits: usize) -> String {
@@ -187,7 +187,7 @@ impl TreeMeasures {
         let shape = format!("depth {depth}, at most {largest_leaf} {triangles} in a leaf");
         match misplaced {
             0 => format!(
-                "a tree with {shape}, and an expected {} tests for a ray",
+                "a tree with {shape}, and an expected {} tests per ray",
                 number(cost, digits)
             ),
             1 => format!("a tree with {shape}, and 1 triangle missing, repeated or unknown"),

@@ -385,7 +385,9 @@ impl TestedTree<'_> {
     fn test(&self, test: Test) -> TestResult {
         match ASK_TEST.get() {
             Some(ask) => ask(self.index, test),
-            None => panic!("nothing in this process can answer a test"),
+            None => {
+                panic!("this process can't test boxes and triangles itself, and has nobody to ask")
+            }
         }
     }
 }

@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the assignment that contains a path that you
-    /// pass, or the current folder; if there is none, this repository's default]
+    /// The assignment, by name or folder [default: the one that a path that you pass belongs to,
+    /// else the one that the current folder belongs to, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }

@@ -3,13 +3,13 @@
 /// The part of a study that can be run alone.
 #[derive(Clone, Copy, Debug, PartialEq, clap::ValueEnum)]
 pub enum Part {
-    /// All families of questions, and what each kernel costs.
+    /// Questions of every kind, and how long each way takes.
     Classes,
     /// Rays at edges and corners of closed meshes.
     Mesh,
     /// Rays that begin on a surface.
     Secondary,
-    /// Plans for whole scenes.
+    /// Plans: for each scene, the fastest way to cast its rays that is accurate enough.
     Plans,
     /// Whole scenes.
     Scenes,

@@ -163,7 +163,7 @@ fn words(record: &Record, mark: &str, evidence: &Evidence) -> String {
     if let Some(most) = record.most_for_scenes {
         let (earned, possible) = record.scene_points();
         text += &format!(
-            "\nscenes {earned} / {possible}, at most {most}, because of the tasks that they need\n"
+            "\nscenes {earned} / {possible} (the tasks that they need allow at most {most})\n"
         );
     }
     text

@@ -64,8 +64,8 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let mut are_old = false;
     for (result, others, is_doubtful) in results.into_iter().flatten() {
         if is_doubtful {
-            let why = "it may be for earlier answers, because not all parts have the same; grade \
-                       all parts again";
+            let why = "it may be for earlier answers, because the parts have different answers; \
+                       grade all parts again";
             run.faults.push((result.record.id.clone(), why.into()));
         }
         run.changes.extend(others);
@@ -153,7 +153,8 @@ fn merged<'a>(
                      assignment as the other parts",
                     part.folder.display()
                 ),
-                "grade all parts with the same assignment and the same --golden, --fresh or --seed",
+                "grade all parts with the same assignment, and with the same values of --golden, \
+                 --fresh and --seed",
             ));
         }
         if let Some(merged) = merged.as_mut().filter(|it| it.record.is_graded()) {

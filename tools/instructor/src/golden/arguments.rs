@@ -24,7 +24,7 @@ pub enum Golden {
 ///
 /// If you name no scene, this makes everything that the assignment has in `golden/`: the films of
 /// its scenes, the films of its questions, and more questions for `validate --mutants`. Many of
-/// these are exact ties: the code compares two values that are equal.
+/// those are exact ties: to answer them, code compares two values that are equal.
 ///
 /// A scene is refused if an edge passes through a pixel's centre, or if a pixel's centre lies
 /// close to a plane's horizon. If that happens, move the camera a little.
