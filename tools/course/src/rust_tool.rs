@@ -21,8 +21,13 @@ pub fn rust_tool(name: &str, folder: &Path) -> Command {
 
 /// The first program of this name in `PATH`, started in `folder`, which must be ours.
 pub fn tool(name: &str, folder: &Path) -> Command {
+    in_folder(programs(name).next().unwrap_or(name.into()), folder)
+}
+
+/// All programs of this name in `PATH`, in its order.
+pub fn programs(name: &str) -> impl Iterator<Item = PathBuf> {
     let path = env::var_os("PATH").unwrap_or_default();
-    in_folder(in_path(&path, name).unwrap_or(name.into()), folder)
+    in_path(&path, name).into_iter()
 }
 
 fn in_folder(program: PathBuf, folder: &Path) -> Command {
@@ -31,14 +36,15 @@ fn in_folder(program: PathBuf, folder: &Path) -> Command {
     command
 }
 
-/// Finds a program in a search path. Skips relative folders, because they are relative to the
+/// Finds programs in a search path. Skips relative folders, because they are relative to the
 /// current folder.
-fn in_path(path: &OsStr, name: &str) -> Option<PathBuf> {
+fn in_path(path: &OsStr, name: &str) -> Vec<PathBuf> {
     let name = format!("{name}{}", env::consts::EXE_SUFFIX);
     env::split_paths(path)
         .filter(|folder| Path::is_absolute(folder))
         .map(|folder| folder.join(&name))
-        .find(|program| program.is_file())
+        .filter(|program| program.is_file())
+        .collect()
 }
 
 #[cfg(test)]
@@ -52,8 +58,8 @@ mod tests {
         let file = format!("tool{}", env::consts::EXE_SUFFIX);
         std::fs::write(folder.path().join(&file), "").unwrap();
         let relative = folder.path().strip_prefix(&here).unwrap();
-        assert_eq!(in_path(relative.as_os_str(), "tool"), None);
+        assert!(in_path(relative.as_os_str(), "tool").is_empty());
         let both = env::join_paths([relative, folder.path()]).unwrap();
-        assert_eq!(in_path(&both, "tool"), Some(folder.path().join(file)));
+        assert_eq!(in_path(&both, "tool"), [folder.path().join(file)]);
     }
 }

@@ -65,31 +65,26 @@ fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn the_doctor_says_which_bubblewrap_it_starts() {
+fn a_bubblewrap_that_other_users_can_replace_is_not_started() {
+    use std::os::unix::fs::PermissionsExt;
     let folder = fresh(&trusted(), "other-bwrap");
     let other = folder.join("bwrap");
-    std::fs::write(&other, "").expect("there is room");
+    std::fs::write(&other, "#!/bin/sh\necho another bwrap >&2\nexit 1\n").expect("there is room");
+    let allow = |path: &std::path::Path, mode| {
+        std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).expect("it is ours");
+    };
+    allow(&other, 0o755);
     let path = std::env::var("PATH").expect("there is a PATH");
-    let mut without = Command::new("bwrap");
-    without.args([
-        "--dev-bind",
-        "/",
-        "/",
-        "--ro-bind",
-        "/dev/null",
-        "/usr/bin/bwrap",
-    ]);
-    without.args(["--setenv", "PATH", &format!("{}:{path}", folder.display())]);
-    without.arg("--").arg(program_of("doctor"));
-    let output = without
-        .args(["doctor", "--json"])
-        .current_dir(root())
-        .output();
-    let document = ran(output.expect("bubblewrap is installed")).json();
-    let found = finding(&document, "sandbox")["found"].to_string();
-    let place = format!(
-        "it is at {}, but Pinhole only starts /usr/bin/bwrap",
-        other.display()
-    );
-    assert!(found.contains(&place), "{found}");
+    let found = || {
+        let output = Command::new(program_of("doctor"))
+            .args(["doctor", "--json"])
+            .env("PATH", format!("{}:{path}", folder.display()))
+            .current_dir(root())
+            .output();
+        let document = ran(output.expect("it was built")).json();
+        finding(&document, "sandbox")["found"].to_string()
+    };
+    assert!(found().contains("another bwrap"), "{}", found());
+    allow(&folder, 0o777);
+    assert!(found().contains("bubblewrap works"), "{}", found());
 }

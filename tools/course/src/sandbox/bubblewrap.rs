@@ -16,11 +16,16 @@ use super::toolchain::{libraries, library_names, linker};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::Result;
-use crate::rust_tool::tool;
+use crate::private::is_ours;
+use crate::rust_tool::programs;
 
 /// What is needed to make the sandbox.
 #[derive(Clone, Debug)]
 pub struct Bubblewrap {
+    /// Bubblewrap's absolute path. If we started it by name with another `PATH`, the standard
+    /// library would use `fork`, which copies our page tables. That took a third of the time of
+    /// grading.
+    bwrap: PathBuf,
     /// The toolchain, which is bound read-only.
     sysroot: PathBuf,
     /// This program. Inside, it confines the code further.
@@ -37,12 +42,6 @@ pub struct Bubblewrap {
     pub budget: Budget,
 }
 
-/// Bubblewrap's absolute path. A search in `PATH` could find a program in a folder that a user
-/// may write to. There is also a matter of speed: when we start a program by name and change
-/// `PATH` for it, the standard library uses `fork`, which copies our page tables. That took a
-/// third of the time of grading.
-const BWRAP: &str = "/usr/bin/bwrap";
-
 /// The path of this program inside.
 const PINHOLE_INSIDE: &str = "/pinhole";
 
@@ -51,11 +50,11 @@ const UNCOUNTED: u64 = 1 << 20;
 
 /// What to do if bubblewrap does not work here.
 pub fn remedy() -> &'static str {
-    match Path::new(BWRAP).is_file() && are_user_namespaces_restricted() {
+    match find().is_ok() && are_user_namespaces_restricted() {
         true => {
             "AppArmor keeps bubblewrap from creating user namespaces: run `sudo sysctl \
-             kernel.apparmor_restrict_unprivileged_userns=0`, or give /usr/bin/bwrap a profile \
-             that allows `userns`"
+             kernel.apparmor_restrict_unprivileged_userns=0`, or give bwrap a profile that \
+             allows `userns`"
         }
         false => {
             "install it (Debian: apt-get install bubblewrap); in a container that is used once, \
@@ -70,29 +69,30 @@ fn are_user_namespaces_restricted() -> bool {
     fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
 }
 
-/// Checks that bubblewrap is where we start it.
-fn find() -> io::Result<()> {
-    if Path::new(BWRAP).is_file() {
-        return Ok(());
-    }
-    let other = tool("bwrap", Path::new("/"));
-    let other = Path::new(other.get_program());
-    Err(io::Error::other(match other.is_absolute() {
-        true => format!(
-            "it is at {}, but Pinhole only starts {BWRAP}",
-            other.display()
-        ),
-        false => format!("there is no {BWRAP}"),
-    }))
+/// The first bubblewrap in `PATH` that no other user can replace.
+fn find() -> io::Result<PathBuf> {
+    let mut found = programs("bwrap").peekable();
+    let first = found.peek().cloned();
+    let is_safe = |program: &PathBuf| {
+        let program = program.canonicalize();
+        program.is_ok_and(|it| it.ancestors().all(is_ours))
+    };
+    found.find(is_safe).ok_or_else(|| {
+        io::Error::other(match first {
+            Some(first) => format!("other users can replace {}", first.display()),
+            None => "there is no bwrap in PATH".into(),
+        })
+    })
 }
 
 impl Bubblewrap {
     /// Checks that bubblewrap works here. If not, returns its message.
     pub fn new(checkout: &Checkout, sysroot: PathBuf) -> io::Result<Bubblewrap> {
-        find()?;
+        let bwrap = find()?;
         let is_root = rustix::process::getuid().is_root();
         let uid = is_root.then(UserId::reserve).transpose();
         let walls = Bubblewrap {
+            bwrap,
             host_paths: HostPaths::new(checkout, &sysroot, None),
             sysroot,
             libraries: library_names(),
@@ -188,7 +188,7 @@ impl Bubblewrap {
 
     /// Bubblewrap with the arguments that every program needs. Callers add more.
     fn bare(&self, purpose: Purpose) -> Command {
-        let mut command = Command::new(BWRAP);
+        let mut command = Command::new(&self.bwrap);
         command.env_clear();
         let own = match self.uid {
             // Root may bind folders that other users cannot reach, such as a toolchain in its
