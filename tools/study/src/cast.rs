@@ -99,7 +99,7 @@ impl Caster {
     }
 
     /// The first hit with t ≥ `min_t`. `min_t` must not be negative.
-    #[inline]
+    #[inline(always)]
     pub fn first<M: Model>(
         &self,
         ray: &Ray<f64>,
@@ -112,10 +112,7 @@ impl Caster {
             found: None,
             model: PhantomData::<M>,
         };
-        match self.tree.root {
-            Some(root) => self.tree.search(root, &self.world, &mut nearest),
-            None => nearest.consider_all(&self.world.parts),
-        }
+        self.tree.search(&self.world, &mut nearest);
         nearest.found
     }
 }
@@ -135,19 +132,6 @@ pub fn first_hit(
     let caster = Caster::new(world, Some(view), true);
     let found = caster.first::<Exact<true>>(ray, min_t, tally)?;
     Some((found.part.place, found.t))
-}
-
-/// The lanes that have a bit in a mask of four bits.
-#[inline(always)]
-fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        if mask == 0 {
-            return None;
-        }
-        let lane = mask.trailing_zeros() as usize & 3;
-        mask &= mask - 1;
-        Some(lane)
-    })
 }
 
 /// The state of the search for one ray's first hit.
@@ -171,13 +155,9 @@ impl<'a, M: Model> Nearest<'a, '_, M> {
     /// Tests a part, and keeps the hit if it is nearer.
     #[inline(always)]
     fn consider(&mut self, part: &'a Part) {
-        if let Some(found) = M::meet(part, &self.query, self.tally) {
-            self.keep(found);
-        }
-    }
-
-    #[inline(always)]
-    fn keep(&mut self, found: Found<'a>) {
+        let Some(found) = M::meet(part, &self.query, self.tally) else {
+            return;
+        };
         let is_first = self
             .found
             .is_none_or(|best| M::comes_first(&found, &best, &self.query, self.tally));

@@ -1,10 +1,7 @@
 //! The choice of kernels for casting a scene, and how to decide which of two hits comes first.
 
-use wide::f32x4;
-
-use super::tree::{Leaf, Packet};
 use super::world::{Accurate, Part, Primitive, World, of_each};
-use super::{Found, Nearest, Tally, lanes};
+use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{
     Camera, Filtered, Kernel, ScaledQuery, Tier, decided, plane, sphere, triangle,
@@ -54,14 +51,6 @@ pub trait Model: Sized + Sync + 'static {
 
     /// The hit with the smallest t ≥ `min_t` of a ray with a part.
     fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>>;
-    /// Tests the triangles of a leaf, which are the first of these parts, and keeps the nearest
-    /// hit. `packed` is what the camera does not fix, in `f32`.
-    fn consider_leaf<'a>(
-        leaf: &Leaf,
-        parts: &'a [Part],
-        packed: Vector<f32x4>,
-        nearest: &mut Nearest<'a, '_, Self>,
-    );
     /// Whether hit `one` comes before hit `other`.
     fn comes_first(one: &Found, other: &Found, query: &Query, tally: &mut Tally) -> bool;
 }
@@ -85,22 +74,6 @@ impl Model for Plain {
             }
         };
         t.map(|t| Found::new(part, t))
-    }
-
-    #[inline(always)]
-    fn consider_leaf<'a>(
-        leaf: &Leaf,
-        parts: &'a [Part],
-        _: Vector<f32x4>,
-        nearest: &mut Nearest<'a, '_, Self>,
-    ) {
-        let Packet::Plain(four) = &leaf.packet else {
-            unreachable!("the caster was made for a camera");
-        };
-        let (hits, t) = four.intersect(nearest.query.ray, nearest.query.min_t);
-        for lane in lanes(hits) {
-            nearest.keep(Found::new(&parts[lane], t[lane]));
-        }
     }
 
     #[inline(always)]
@@ -136,21 +109,6 @@ impl<const HAS_EYE: bool> Model for Exact<HAS_EYE> {
                 ..Found::new(part, t)
             }),
             None => left_open(shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t)),
-        }
-    }
-
-    #[inline(always)]
-    fn consider_leaf<'a>(
-        leaf: &Leaf,
-        parts: &'a [Part],
-        packed: Vector<f32x4>,
-        nearest: &mut Nearest<'a, '_, Self>,
-    ) {
-        let Packet::FromCamera(four) = &leaf.packet else {
-            unreachable!("the caster was made for plain `f64`");
-        };
-        for lane in lanes(four.candidates::<HAS_EYE>(packed)) {
-            nearest.consider(&parts[lane]);
         }
     }
 

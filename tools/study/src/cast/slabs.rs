@@ -161,16 +161,12 @@ impl Slabs {
         })
     }
 
-    /// Prepares a ray from the frame's centre, with its scaled direction in `f32`.
+    /// Prepares a ray from the frame's centre.
     #[inline(always)]
-    pub fn from_center(
-        frame: &Frame,
-        scaled: &ScaledRay<f64>,
-        direction: Vector<f32x4>,
-        min_t: f64,
-    ) -> Slabs {
+    pub fn from_center(frame: &Frame, scaled: &ScaledRay<f64>, min_t: f64) -> Slabs {
         let exponent = scaled.exponent - frame.exponent;
-        let d = direction.array();
+        let d = scaled.ray.direction.array();
+        let d = d.map(|d| f32x4::splat(d as f32));
         let small = f32x4::splat(PARALLEL_FROM_CENTER);
         let sign = f32x4::splat(-0.0);
         let away = d.map(|d| (d & sign) | (d & !sign).fast_max(small));

@@ -1,8 +1,7 @@
 //! A bounding volume hierarchy over the parts, so that a ray is tested against few of them.
 //!
 //! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion), with two boxes per node.
-//! Here, nodes are collapsed to four boxes (a BVH4), and the triangles of a small box are
-//! packed in fours and tested together. The search loses no hit:
+//! Here, nodes are collapsed to four boxes (a BVH4). The search loses no hit:
 //!
 //! 1. A box encloses its parts with a margin: see [`Frame::boxed`].
 //! 2. The slab test never rejects a box that contains a hit that could be the first: see
@@ -20,11 +19,10 @@ use obvhs::bvh2::builder::build_bvh2;
 use wide::f32x4;
 
 use super::Nearest;
-use super::model::{Model, Query};
+use super::model::Model;
 use super::slabs::{Boxes, Frame, Slabs};
-use super::world::{Part, PartFromCamera, Primitive, World};
-use crate::kernel::triangle::{PacketFromCamera, TrianglePacket};
-use crate::shape::Triangle;
+use super::world::{Part, Primitive, World};
+use crate::kernel::ScaledQuery;
 use crate::vector::{Vector, around};
 
 /// A node of the BVH4: four boxes and their contents.
@@ -32,44 +30,22 @@ use crate::vector::{Vector, around};
 #[repr(align(64))]
 struct Node {
     boxes: Boxes,
-    /// For each box, the index of another node; or [`LEAF`] and the index of a leaf; or
-    /// [`LEAF`], [`LONE`] and the index of a part.
+    /// For each box, the index of another node; or [`LEAF`], [`COUNT`] times the number of parts
+    /// after the first, and the index of the first part.
     inside: [u32; 4],
 }
 
 const LEAF: u32 = 1 << 31;
-const LONE: u32 = 1 << 30;
+const COUNT: u32 = 1 << 29;
 
-/// A leaf: one to four triangles of one box.
-#[derive(Clone, Copy, Debug)]
-pub struct Leaf {
-    /// The triangles.
-    pub packet: Packet,
-    /// How many there are.
-    count: u32,
-    /// Index of the first of its parts.
-    first: u32,
-}
-
-/// The triangles of a leaf, for the model that the tree was built for.
-#[derive(Clone, Copy, Debug)]
-pub enum Packet {
-    /// For plain `f64`.
-    Plain(TrianglePacket),
-    /// For the rays of one camera.
-    FromCamera(PacketFromCamera),
-}
-
-/// A tree over the parts of a world. The default has no box.
+/// A tree over the parts of a world. The default has no node.
 #[derive(Clone, Debug, Default)]
 pub struct Tree {
     frame: Frame,
     /// Whether the frame's centre is the eye, from which all rays start.
     is_around_eye: bool,
-    /// The root node or the only leaf; `None` if no part has a finite box.
-    pub(super) root: Option<u32>,
+    /// The first is the root. There are none if all parts with a box fit into a leaf.
     nodes: Vec<Node>,
-    leaves: Vec<Leaf>,
     /// Parts from this index on are in no box.
     boundless: usize,
 }
@@ -125,56 +101,28 @@ impl Tree {
                 ordered: &mut world.parts,
                 tree: &mut tree,
             };
-            tree.root = Some(fours.root());
+            fours.build();
         }
         tree.boundless = world.parts.len();
         world.parts.extend(outside);
         tree
     }
 
-    /// Tests the parts of a leaf.
-    #[inline(always)]
-    fn meet<'a, M: Model>(
-        &self,
-        leaf: u32,
-        world: &'a World,
-        packed: Vector<f32x4>,
-        nearest: &mut Nearest<'a, '_, M>,
-    ) {
-        match leaf & LONE {
-            0 => {
-                let leaf = &self.leaves[(leaf & !LEAF) as usize];
-                nearest.tally.tests += u64::from(leaf.count);
-                M::consider_leaf(leaf, &world.parts[leaf.first as usize..], packed, nearest);
-            }
-            _ => {
-                let part = (leaf & !(LEAF | LONE)) as usize;
-                nearest.consider_all(&world.parts[part..=part]);
-            }
-        }
-    }
-
     /// Tests all parts that a ray may hit first.
     #[inline(always)]
-    pub(super) fn search<'a, M: Model>(
-        &self,
-        at: u32,
-        world: &'a World,
-        nearest: &mut Nearest<'a, '_, M>,
-    ) {
-        nearest.consider_all(&world.parts[self.boundless..]);
-        let packed = nearest.query.varying.map(|q| f32x4::splat(q as f32));
-        if at & LEAF != 0 {
-            return self.meet(at, world, packed, nearest);
+    pub(super) fn search<'a, M: Model>(&self, world: &'a World, nearest: &mut Nearest<'a, '_, M>) {
+        if self.nodes.is_empty() {
+            return nearest.consider_all(&world.parts);
         }
-        let Query { scaled, min_t, .. } = &nearest.query;
+        let ScaledQuery { scaled, .. } = &nearest.query.scaled;
+        let min_t = nearest.query.min_t;
         if M::HAS_EYE && self.is_around_eye {
-            let slabs = Slabs::from_center(&self.frame, &scaled.scaled, packed, *min_t);
-            return self.traverse::<M, true>(at, &slabs, world, packed, nearest);
+            let slabs = Slabs::from_center(&self.frame, scaled, min_t);
+            return self.traverse::<M, true>(&slabs, world, nearest);
         }
-        match Slabs::of(&self.frame, &scaled.scaled, *min_t) {
-            Some(slabs) => self.traverse::<M, false>(at, &slabs, world, packed, nearest),
-            None => nearest.consider_all(&world.parts[..self.boundless]),
+        match Slabs::of(&self.frame, scaled, min_t) {
+            Some(slabs) => self.traverse::<M, false>(&slabs, world, nearest),
+            None => nearest.consider_all(&world.parts),
         }
     }
 
@@ -182,14 +130,14 @@ impl Tree {
     #[inline(always)]
     fn traverse<'a, M: Model, const FROM_CENTER: bool>(
         &self,
-        mut at: u32,
         slabs: &Slabs,
         world: &'a World,
-        packed: Vector<f32x4>,
         nearest: &mut Nearest<'a, '_, M>,
     ) {
+        nearest.consider_all(&world.parts[self.boundless..]);
         let mut horizon = slabs.horizon(nearest.horizon());
         let mut waiting = TraversalStack::default();
+        let mut at = 0;
         loop {
             if at & LEAF == 0 {
                 let node = &self.nodes[at as usize];
@@ -212,7 +160,7 @@ impl Tree {
                     continue;
                 }
             } else {
-                self.meet(at, world, packed, nearest);
+                nearest.consider_all(inside(at, world));
                 horizon = slabs.horizon(nearest.horizon());
             }
             match waiting.next(horizon) {
@@ -221,6 +169,14 @@ impl Tree {
             }
         }
     }
+}
+
+/// The parts of a leaf.
+#[inline(always)]
+fn inside(leaf: u32, world: &World) -> &[Part] {
+    let first = (leaf & (COUNT - 1)) as usize;
+    let after = (leaf & !LEAF) / COUNT;
+    &world.parts[first..=first + after as usize]
 }
 
 /// Stack of nodes still to visit. Each entry packs the ray's entry t (upper 32 bits) and the
@@ -283,9 +239,10 @@ struct WideTreeBuilder<'a> {
 }
 
 impl<'a> WideTreeBuilder<'a> {
-    fn root(&mut self) -> u32 {
+    fn build(&mut self) {
         if let Some(parts) = self.leaf_parts(0) {
-            return self.leaf(&parts);
+            self.leaf(&parts);
+            return;
         }
         let nowhere = [[f32x4::splat(f32::MAX); 3], [f32x4::splat(f32::MIN); 3]];
         let empty = Node {
@@ -316,7 +273,6 @@ impl<'a> WideTreeBuilder<'a> {
                 node.inside[lane] = inside;
             }
         }
-        0
     }
 
     /// The parts below a binary node, if they fit into a leaf: one part, or up to four triangles.
@@ -355,30 +311,9 @@ impl<'a> WideTreeBuilder<'a> {
         children
     }
 
-    fn leaf<'p>(&mut self, parts: &[&'p Part]) -> u32 {
+    fn leaf(&mut self, parts: &[&Part]) -> u32 {
         let first = self.ordered.len() as u32;
         self.ordered.extend(parts.iter().copied());
-        let triangle = |part: &&Part| match part.shape {
-            Primitive::Triangle(triangle) => Some(triangle),
-            _ => None,
-        };
-        let triangles: Vec<Triangle<f64>> = parts.iter().filter_map(triangle).collect();
-        if triangles.is_empty() {
-            return LEAF | LONE | first;
-        }
-        let from_camera = |part: &&'p Part| match &part.from_camera {
-            Some(PartFromCamera::Triangle(triangle)) => Some((triangle, part.limits.sign)),
-            _ => None,
-        };
-        let from_camera: ArrayVec<_, 4> = parts.iter().filter_map(from_camera).collect();
-        self.tree.leaves.push(Leaf {
-            packet: match from_camera.is_empty() {
-                true => Packet::Plain(TrianglePacket::new(&triangles)),
-                false => Packet::FromCamera(PacketFromCamera::new(&from_camera)),
-            },
-            count: triangles.len() as u32,
-            first,
-        });
-        LEAF | (self.tree.leaves.len() - 1) as u32
+        LEAF | (parts.len() as u32 - 1) * COUNT | first
     }
 }

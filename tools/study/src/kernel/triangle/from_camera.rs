@@ -1,7 +1,5 @@
-use wide::f32x4;
-
 use crate::kernel::{Camera, Limits, ScaledQuery};
-use crate::number::{Real, exponent};
+use crate::number::Real;
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
@@ -16,10 +14,6 @@ impl Affine {
     #[inline(always)]
     fn at(&self, q: Vector<f64>) -> f64 {
         self.slope.dot(q) + self.offset
-    }
-
-    fn largest(&self) -> f64 {
-        self.slope.largest().max(self.offset.abs())
     }
 }
 
@@ -103,74 +97,22 @@ impl TriangleFromCamera {
             true => side.slope.dot(q),
             false => side.at(q),
         });
-        let (least, most) = (u.min(v).min(w), u.max(v).max(w));
+        // `f64::min` takes more instructions, because it has a rule for NaN.
+        let smaller = |p, q| if p < q { p } else { q };
+        let larger = |p, q| if p > q { p } else { q };
+        let (least, most) = (smaller(smaller(u, v), w), larger(larger(u, v), w));
         if least < -bound && most > bound {
             return Some(None);
         }
-        let (determinant, volume) = (self.determinant.at(q), self.volume.at(q));
+        let (determinant, volume) = match HAS_EYE {
+            true => (self.determinant.slope.dot(q), self.volume.offset),
+            false => (self.determinant.offset, self.volume.at(q)),
+        };
         let is_inside = least > bound || most < -bound;
         let is_good = determinant.abs() > limits.divisor && volume.abs() > limits.dividend;
         match is_inside && is_good {
             true => query.answer(volume / determinant),
             false => None,
         }
-    }
-}
-
-/// Four triangles from the same camera, in `f32`. It only tells which of them a ray may hit.
-///
-/// Each triangle's functions are divided by a power of two, so that no slope or offset reaches 1.
-/// With U = 2⁻²⁴, rounding a slope, q and their product to `f32` adds an error of at most 3U times
-/// the product. In perspective, no component of q exceeds 2: the three products add 18U, and their
-/// sums 4U + 6U. Otherwise, no component of q exceeds 1, but there is an offset: the products add
-/// 9U, the offset U, and the sums 2U + 3U + 4U. So 40U bounds the error of `f32`.
-#[derive(Clone, Copy, Debug)]
-pub struct PacketFromCamera {
-    sides: [(Vector<f32x4>, f32x4); 3],
-    /// Bound on the error of a volume.
-    bound: f32x4,
-    /// A bit for each lane that contains a triangle.
-    all: u32,
-}
-
-impl PacketFromCamera {
-    /// Packs one to four triangles, each with its [`Limits::sign`].
-    pub fn new(triangles: &[(&TriangleFromCamera, f64)]) -> PacketFromCamera {
-        let lanes = [0, 1, 2, 3].map(|lane| {
-            let (TriangleFromCamera { sides, .. }, sign) =
-                triangles.get(lane).unwrap_or(&triangles[0]);
-            let largest = sides.iter().map(Affine::largest).fold(0.0, f64::max);
-            let scaled = move |x: f64| x.times_power_of_two(-1 - exponent(largest));
-            // Nothing is certain about sides that overflow or have no digits.
-            let bound = match (1e-250..1e250).contains(&largest) {
-                true => 40.0 / (1 << 24) as f64 + scaled(*sign),
-                false => f64::INFINITY,
-            };
-            let side = sides.map(|Affine { slope, offset }| (slope.map(scaled), scaled(offset)));
-            (side, bound)
-        });
-        let each = |of: &dyn Fn(usize) -> f64| f32x4::new([0, 1, 2, 3].map(|at| of(at) as f32));
-        let side = |side: usize| {
-            let component = |of: fn(&Vector<f64>) -> f64| each(&|at| of(&lanes[at].0[side].0));
-            let slope = Vector::new(component(|v| v.x), component(|v| v.y), component(|v| v.z));
-            (slope, each(&|at| lanes[at].0[side].1))
-        };
-        PacketFromCamera {
-            sides: [side(0), side(1), side(2)],
-            bound: each(&|at| f64::from((lanes[at].1 as f32).next_up())),
-            all: (1 << triangles.len()) - 1,
-        }
-    }
-
-    /// A bit for each triangle that the ray does not certainly miss.
-    #[inline(always)]
-    pub fn candidates<const HAS_EYE: bool>(&self, q: Vector<f32x4>) -> u32 {
-        let [u, v, w] = self.sides.map(|(slope, offset)| match HAS_EYE {
-            true => slope.dot(q),
-            false => slope.dot(q) + offset,
-        });
-        let (least, most) = (u.fast_min(v).fast_min(w), u.fast_max(v).fast_max(w));
-        let missed = (-least).simd_gt(self.bound) & most.simd_gt(self.bound);
-        !missed.to_bitmask() & self.all
     }
 }
