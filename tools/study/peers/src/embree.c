@@ -7,33 +7,30 @@
 #include <embree3/rtcore.h>
 #endif
 
-struct mesh {
-    RTCDevice device;
-    RTCScene scene;
-};
-
-void pinhole_embree_build(struct mesh *mesh, const float *corners, unsigned corner_count,
-                          const unsigned *triangles, unsigned triangle_count) {
-    mesh->device = rtcNewDevice("threads=1");
-    mesh->scene = rtcNewScene(mesh->device);
-    rtcSetSceneFlags(mesh->scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(mesh->scene, RTC_BUILD_QUALITY_HIGH);
-    RTCGeometry geometry = rtcNewGeometry(mesh->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+/* Three corners for each triangle. Triangles share none, which changes nothing for Embree: it copies
+   them to leaves. */
+RTCScene pinhole_embree_build(const float *corners, unsigned triangle_count) {
+    RTCDevice device = rtcNewDevice("threads=1");
+    RTCScene scene = rtcNewScene(device);
+    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_HIGH);
+    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
     float *to = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                        3 * sizeof(float), corner_count);
-    memcpy(to, corners, 3 * sizeof(float) * corner_count);
+                                        3 * sizeof(float), 3 * triangle_count);
+    memcpy(to, corners, 9 * sizeof(float) * triangle_count);
     unsigned *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0,
                                                 RTC_FORMAT_UINT3, 3 * sizeof(unsigned),
                                                 triangle_count);
-    memcpy(indices, triangles, 3 * sizeof(unsigned) * triangle_count);
+    for (unsigned at = 0; at < 3 * triangle_count; at++)
+        indices[at] = at;
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(mesh->scene, geometry);
+    rtcAttachGeometry(scene, geometry);
     rtcReleaseGeometry(geometry);
-    rtcCommitScene(mesh->scene);
+    rtcCommitScene(scene);
+    return scene;
 }
 
-void pinhole_embree_cast(const struct mesh *mesh, const float (*rays)[6], unsigned count,
-                         float *t) {
+void pinhole_embree_cast(RTCScene scene, const float (*rays)[6], unsigned count, float *t) {
 #if EMBREE == 3
     struct RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -47,15 +44,10 @@ void pinhole_embree_cast(const struct mesh *mesh, const float (*rays)[6], unsign
             .hit = {.geomID = RTC_INVALID_GEOMETRY_ID, .instID = {RTC_INVALID_GEOMETRY_ID}},
         };
 #if EMBREE == 3
-        rtcIntersect1(mesh->scene, &context, &asked);
+        rtcIntersect1(scene, &context, &asked);
 #else
-        rtcIntersect1(mesh->scene, &asked, 0);
+        rtcIntersect1(scene, &asked, 0);
 #endif
         t[at] = asked.hit.geomID == RTC_INVALID_GEOMETRY_ID ? INFINITY : asked.ray.tfar;
     }
-}
-
-void pinhole_embree_release(struct mesh *mesh) {
-    rtcReleaseScene(mesh->scene);
-    rtcReleaseDevice(mesh->device);
 }

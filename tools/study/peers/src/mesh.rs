@@ -39,29 +39,26 @@ pub fn of_assignment(name: &str) -> Mesh {
     Mesh::new(name, triangles.collect())
 }
 
-/// A bumpy sphere: an octahedron whose faces are divided into n × n triangles each.
+/// A bumpy sphere: a square of 2n × 2n cells, folded to an octahedron, with two triangles in each
+/// cell.
 pub fn ball(n: u32) -> Mesh {
     let hill = |x: f64, y: f64, z: f64| {
         0.85 + 0.1 * (5.0 * x + 3.0 * y).sin() * (4.0 * z).cos() + 0.02 * (40.0 * (x - y + z)).sin()
     };
-    let mut triangles = Vec::new();
-    for face in 0..8 {
-        let sign = |bit: u32| if face >> bit & 1 == 0 { 1.0 } else { -1.0 };
-        let corner = |i: u32, j: u32| {
-            let [x, y] = [i, j].map(|index| f64::from(index) / f64::from(n));
-            let flat = Vector::new(x * sign(0), y * sign(1), (1.0 - x - y) * sign(2));
-            let Vector { x, y, z } = flat * (1.0 / flat.squared().sqrt());
-            [x, y, z].map(|number| (number * hill(x, y, z)) as f32)
+    let corner = |i: u32, j: u32| {
+        let [x, y] = [i, j].map(|index| f64::from(index) / f64::from(n) - 1.0);
+        let z = 1.0 - x.abs() - y.abs();
+        let [x, y] = match z < 0.0 {
+            true => [(1.0 - y.abs()).copysign(x), (1.0 - x.abs()).copysign(y)],
+            false => [x, y],
         };
-        for i in 0..n {
-            for j in 0..n - i {
-                let [along, across] = [corner(i, j + 1), corner(i + 1, j)];
-                triangles.push([corner(i, j), along, across]);
-                if j + 1 < n - i {
-                    triangles.push([along, corner(i + 1, j + 1), across]);
-                }
-            }
-        }
+        let Vector { x, y, z } = Vector::new(x, y, z).unit();
+        [x, y, z].map(|number| (number * hill(x, y, z)) as f32)
+    };
+    let mut triangles = Vec::new();
+    for (i, j) in (0..2 * n).flat_map(|i| (0..2 * n).map(move |j| (i, j))) {
+        let [p, q, r] = [corner(i, j), corner(i + 1, j), corner(i, j + 1)];
+        triangles.extend([[p, q, r], [q, corner(i + 1, j + 1), r]]);
     }
     Mesh::new("ball", triangles)
 }
