@@ -351,7 +351,7 @@ mod tests {
             "cost_everyday_sphere_textbook",
             "wrong_hard_triangle_adaptive_exact",
             "ulp_everyday_plane_shifted_origin_f64_on_f32",
-            "tier_hard_triangle_double_double",
+            "tier_hard_triangle_exact",
             "self_sphere_pbrt_v4_1000",
             "breaks_sphere_distance_textbook",
             "leaks_moeller_trumbore_edge",

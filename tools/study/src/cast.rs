@@ -28,10 +28,7 @@ pub struct Tally {
     pub tests: u64,
     /// Tests that the static filter could not decide.
     pub semi_static: u64,
-    /// Tests that the semi-static filter could not decide either; for triangles, double-double
-    /// comes next.
-    pub double_double: u64,
-    /// Tests that were decided exactly.
+    /// Tests that were decided exactly, because the semi-static filter could not decide either.
     pub exact: u64,
     /// Comparisons of two t that were too close to decide in `f64`.
     pub close_calls: u64,
@@ -45,7 +42,6 @@ impl Tally {
         Tally {
             tests: self.tests + other.tests,
             semi_static: self.semi_static + other.semi_static,
-            double_double: self.double_double + other.double_double,
             exact: self.exact + other.exact,
             close_calls: self.close_calls + other.close_calls,
             exact_hits: self.exact_hits + other.exact_hits,

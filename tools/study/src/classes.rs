@@ -88,7 +88,7 @@ pub fn tiers<S: HasFamilies>(extent: &Extent) -> Vec<TierTally> {
     let mut tallies = Vec::new();
     for class in Class::ALL {
         let all = pool::<S>(class, Data::F64, COUNTED, extent.seed);
-        for tier in [Tier::SemiStatic, Tier::DoubleDouble, Tier::Exact] {
+        for tier in [Tier::SemiStatic, Tier::Exact] {
             let mut decided = all.clone();
             decided.retain(|question| S::tier(question) == tier);
             let count = decided.len();

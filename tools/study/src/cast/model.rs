@@ -134,7 +134,6 @@ fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -
     let scaled = ScaledRay::new(ray);
     let (answer, tier) = of_each!(shape, shape => decided(shape, &scaled, ray, min_t));
     tally.semi_static += 1;
-    tally.double_double += u64::from(tier > Tier::SemiStatic);
     tally.exact += u64::from(tier == Tier::Exact);
     answer
 }

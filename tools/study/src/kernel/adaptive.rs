@@ -1,5 +1,5 @@
 //! Kernels that are never wrong about hit or miss: a filter answers nearly every question, and the
-//! rest is decided in more digits.
+//! rest is decided exactly.
 
 use super::sphere::{ScaledRay, at_most};
 use super::{Kernel, Limits, ScaledQuery, Tier};
@@ -20,12 +20,6 @@ pub trait Filtered: 'static {
 
     /// The filter: the answer, or `None` if rounding might have changed it.
     fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>>;
-
-    /// A slower filter for what the first one leaves open, if there is one.
-    #[inline(always)]
-    fn double_double_filter(&self, _: &ScaledQuery) -> Option<Option<f64>> {
-        None
-    }
 
     /// The answer by exact arithmetic; `None`, too, if a number is not finite.
     fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root>;
@@ -69,9 +63,6 @@ pub fn decided(
     let limits = shape.limits(away, at_most(away), ROOT_OF_UNIT);
     if let Some(answer) = shape.filtered(&query, &limits) {
         return (answer, Tier::SemiStatic);
-    }
-    if let Some(answer) = shape.double_double_filter(&query) {
-        return (answer, Tier::DoubleDouble);
     }
     (rounded(shape.exact(ray, min_t)), Tier::Exact)
 }

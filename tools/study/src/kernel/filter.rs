@@ -11,14 +11,11 @@ use crate::number::{ROOT_OF_UNIT, TINY};
 
 /// The stages of an exact kernel, cheapest first: the value names the one that decided. When whole
 /// scenes are cast, a static filter comes before these.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub enum Tier {
     /// An error bound computed from this ray and this shape.
     #[serde(rename = "semi-static filter")]
     SemiStatic,
-    /// Double-double arithmetic, with an error bound.
-    #[serde(rename = "double-double")]
-    DoubleDouble,
     /// Integers of any length.
     #[serde(rename = "exact")]
     Exact,
