@@ -47,6 +47,9 @@ impl Root {
     /// The nearest float, rounded from more than a hundred bits. Where p + s would cancel, it
     /// is computed as (p² − s²) / (p − s).
     pub fn rounded(&self) -> f64 {
+        if self.radicand.sign() == 0 {
+            return self.rational.rounded_over(&self.divisor);
+        }
         let (rational, root) = (self.rational.clone(), self.root());
         let cancels = rational.sign() * root.sign() < 0;
         let numerator = match cancels {
@@ -56,7 +59,7 @@ impl Root {
                 squares.over(&(rational - root))
             }
         };
-        numerator.over(&self.divisor).rounded()
+        numerator.rounded_over(&self.divisor)
     }
 
     /// ±√`radicand`, with a relative error below 2⁻¹²⁸.
