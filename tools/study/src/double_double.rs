@@ -16,7 +16,6 @@ pub struct DoubleDouble {
 
 impl DoubleDouble {
     /// The exact sum of two numbers (Knuth's TwoSum, *TAOCP* vol. 2, §4.2.2).
-    #[inline(always)]
     pub fn sum(a: f64, b: f64) -> DoubleDouble {
         let high = a + b;
         let of_b = high - a;
@@ -26,7 +25,6 @@ impl DoubleDouble {
 
     /// The exact product of two numbers, unless it underflows (Ogita, Rump & Oishi, *SIAM J.
     /// Sci. Comput.* 26, 2005, algorithm 3.5: TwoProductFMA).
-    #[inline(always)]
     pub fn product(a: f64, b: f64) -> DoubleDouble {
         let high = a * b;
         let low = a.mul_add(b, -high);
@@ -34,7 +32,6 @@ impl DoubleDouble {
     }
 
     /// The quotient: one step of long division after the first.
-    #[inline(always)]
     pub fn over(self, other: DoubleDouble) -> DoubleDouble {
         let high = self.high / other.high;
         let rest = self - other * DoubleDouble::from(high);
@@ -42,7 +39,6 @@ impl DoubleDouble {
     }
 
     /// The square root of a positive number: one step of Newton's method after the first.
-    #[inline(always)]
     pub fn sqrt(self) -> DoubleDouble {
         let high = self.high.sqrt();
         let rest = self - DoubleDouble::product(high, high);
@@ -50,7 +46,6 @@ impl DoubleDouble {
     }
 
     /// Renormalises `high` + `low`, where |`high`| ≥ |`low`| (Dekker's FastTwoSum).
-    #[inline(always)]
     fn renewed(high: f64, low: f64) -> DoubleDouble {
         let sum = high + low;
         DoubleDouble {
@@ -61,7 +56,6 @@ impl DoubleDouble {
 }
 
 impl From<f64> for DoubleDouble {
-    #[inline(always)]
     fn from(high: f64) -> Self {
         DoubleDouble { high, low: 0.0 }
     }
@@ -69,7 +63,6 @@ impl From<f64> for DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    #[inline(always)]
     fn add(self, other: Self) -> Self {
         let high = DoubleDouble::sum(self.high, other.high);
         let low = DoubleDouble::sum(self.low, other.low);
@@ -80,7 +73,6 @@ impl Add for DoubleDouble {
 
 impl Neg for DoubleDouble {
     type Output = Self;
-    #[inline(always)]
     fn neg(self) -> Self {
         DoubleDouble {
             high: -self.high,
@@ -91,7 +83,6 @@ impl Neg for DoubleDouble {
 
 impl Sub for DoubleDouble {
     type Output = Self;
-    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -99,7 +90,6 @@ impl Sub for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let product = DoubleDouble::product(self.high, other.high);
         let cross = self.high * other.low + self.low * other.high;
@@ -109,13 +99,11 @@ impl Mul for DoubleDouble {
 
 impl Vector<DoubleDouble> {
     /// `a` − `b`, exactly.
-    #[inline(always)]
     pub fn between(a: Vector<f64>, b: Vector<f64>) -> Vector<DoubleDouble> {
         a.zip(b, |a, b| DoubleDouble::sum(a, -b))
     }
 
     /// The nearest vector of floats.
-    #[inline(always)]
     pub fn rounded(self) -> Vector<f64> {
         self.map(|component| component.high)
     }

@@ -19,7 +19,7 @@ pub mod refined;
 use serde::Serialize;
 
 use crate::cast::bounds::of_normal;
-use crate::cast::world::{Accurate, KINDS, PROVEN_T, Part, Primitive};
+use crate::cast::world::{Accurate, PROVEN_T, Part, Primitive};
 use casting::PlannedCaster;
 
 /// The accuracy that exact casting needs for the true object at every pixel. t and normal are as
@@ -124,7 +124,10 @@ pub fn plan(casting: &PlannedCaster) -> Plan {
     Plan {
         accuracy: casting.accuracy,
         pixels: casting.rays().len(),
-        kinds: KINDS.into_iter().filter_map(kind).collect(),
+        kinds: ["sphere", "plane", "triangle"]
+            .into_iter()
+            .filter_map(kind)
+            .collect(),
         search: search_name(casting.has_boxes),
         price_of_all: price_of_all(all),
         prices: PRICES,

@@ -314,6 +314,7 @@ impl<'a> WideTreeBuilder<'a> {
     fn leaf(&mut self, parts: &[&Part]) -> u32 {
         let first = self.ordered.len() as u32;
         self.ordered.extend(parts.iter().copied());
-        LEAF | (parts.len() as u32 - 1) * COUNT | first
+        let after = parts.len() as u32 - 1;
+        LEAF | (after * COUNT) | first
     }
 }

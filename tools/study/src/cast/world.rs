@@ -7,7 +7,7 @@ use crate::kernel::sphere::SphereFromEye;
 use crate::kernel::triangle::TriangleFromCamera;
 use crate::kernel::{Camera, Filtered, Limits, ScaledQuery, plane};
 use crate::number::{ROOT_OF_UNIT, U};
-use crate::shape::{Plane, Ray, Sphere, Triangle};
+use crate::shape::{Plane, Ray, Shape, Sphere, Triangle};
 use crate::vector::{Vector, around};
 
 /// A shape that a kernel can intersect.
@@ -247,17 +247,13 @@ impl World {
     }
 }
 
-/// The names of all kinds of primitives.
-pub const KINDS: [&str; 3] = ["sphere", "plane", "triangle"];
-
 impl Primitive {
-    /// Its kind, one of [`KINDS`].
+    /// Its kind, such as `sphere`.
     pub fn kind(&self) -> &'static str {
-        match self {
-            Primitive::Sphere(_) => KINDS[0],
-            Primitive::Plane(_) => KINDS[1],
-            Primitive::Triangle(_) => KINDS[2],
+        fn name<S: Shape>(_: &S) -> &'static str {
+            S::NAME
         }
+        of_each!(self, shape => name(shape))
     }
 
     /// The point that kernels subtract from a ray's origin: a sphere's centre, a plane's point
