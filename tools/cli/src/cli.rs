@@ -297,8 +297,8 @@ pub struct Reset {
 ///
 /// Lists what Pinhole uses, such as the Rust compiler and a linker, and says whether each was
 /// found. In the instructor's repository, the list includes the sandbox and Mitsuba. A student's
-/// repository needs neither, because it contains Mitsuba's answers, and your own code runs without
-/// a sandbox. If something is missing, you also see what it is used for and how to get it. Only the
+/// repository needs neither: it contains the films that Mitsuba has rendered, and students run their
+/// own code without a sandbox. If something is missing, you also see what it is used for and how to get it. Only the
 /// Rust compiler, a linker and enough free disk space are required. If one of these is missing, the
 /// exit code is 3.
 #[derive(Args)]

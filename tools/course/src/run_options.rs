@@ -16,8 +16,8 @@ use crate::sandbox::Choice;
 /// The option that names an assignment.
 #[derive(Args, Default)]
 pub struct AssignmentOption {
-    /// The assignment, by name or folder [default: the one that a path that you pass belongs to,
-    /// else the one that the current folder belongs to, else this repository's default]
+    /// The assignment, by name or folder [default: the assignment that contains the path you pass,
+    /// else the one that contains the current folder, else this repository's default]
     #[arg(long = "assignment", value_name = "NAME")]
     pub name: Option<String>,
 }
@@ -71,7 +71,7 @@ impl SandboxOptions {
 /// How to run a submission's program.
 #[derive(Args)]
 pub struct RunOptions {
-    /// Stop a task or a scene after this many seconds, or when the code has given no answer for a
+    /// Stop a task or a scene after this many seconds, or when the code has returned nothing for a
     /// fifteenth of this time (at least 2 s)
     #[arg(long, value_name = "SECONDS", default_value_t = RunOptions::TIMEOUT,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]

@@ -71,8 +71,9 @@ fn printable_coloured_line(line: &str) -> String {
     safe
 }
 
-/// Characters that reorder or hide the characters beside them, or cannot be seen: Unicode's
-/// Default_Ignorable_Code_Point (DerivedCoreProperties.txt, 17.0) and its line separators.
+/// Characters that reorder or hide the characters beside them, or cannot be seen: those with
+/// Unicode's property Default_Ignorable_Code_Point (DerivedCoreProperties.txt, 17.0), the separators
+/// of lines and paragraphs, and the marks of interlinear annotations.
 fn is_invisible(c: char) -> bool {
     matches!(c,
         '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}'
@@ -87,7 +88,7 @@ fn is_invisible(c: char) -> bool {
 pub fn printable_json(document: &str) -> String {
     let mut safe = String::with_capacity(document.len());
     let mut rest = document;
-    // None occur outside strings, and serde_json has already escaped control characters.
+    // Such characters occur only in strings. Control characters below U+0020 are escaped already.
     let is_unsafe = |c: char| is_invisible(c) || matches!(c, '\u{7f}'..='\u{9f}');
     let is_plain = |c: char| c.is_ascii() && c != '\u{7f}';
     while let Some(at) = rest.find(|c| !is_plain(c) && is_unsafe(c)) {

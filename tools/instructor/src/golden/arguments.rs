@@ -50,7 +50,7 @@ pub struct GoldenRender {
     pub no_mistakes: bool,
 }
 
-/// Recompute how films cast with each known mistake differ from the existing goldens; doesn't need
+/// Recompute how the films rendered with each known mistake differ from the existing goldens; doesn't need
 /// Mitsuba
 ///
 /// Stores beside each golden what each mistake changes in the film, so that `check` and `diff` can

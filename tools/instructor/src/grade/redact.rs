@@ -21,7 +21,7 @@ use pinhole_report::html::{Report, SceneSection};
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Reveal {
-    /// Only whether each group and each scene passes
+    /// Only whether each group of questions and each scene passes
     #[default]
     Points,
     /// In addition, how each ended: wrong, panicked, timed out

@@ -74,8 +74,9 @@ pub fn group_in_words(group: &GroupOutcome) -> String {
     let said = outcome_of(&group.outcome, "answers");
     match group.fails_fresh {
         true => format!(
-            "{said}. Your answers to the public questions pass, but not those to fresh questions, \
-             which students don't have. Ask your instructor, who can look at them"
+            "{said}. Your answers to the public questions pass, but your answers to fresh \
+             questions, which students can't see, do not. Ask your instructor, who can look at \
+             these questions"
         ),
         false => said,
     }

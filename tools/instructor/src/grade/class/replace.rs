@@ -31,7 +31,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         count => format!("{count} submissions that are"),
     };
     Err(Error::input(
-        format!("the --out folder has results of {count} missing now: {some}"),
+        format!("the --out folder has results for {count} now missing: {some}"),
         format!(
             "{instead}; to drop those that are missing, first delete {}",
             earlier.display()
@@ -78,7 +78,7 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
         let ids: Vec<&str> = old.iter().map(|old| &*old.id).collect();
         return Err(Error::input(
             format!(
-                "fewer submissions would replace these in the --out folder: {}",
+                "not as many submissions would replace these in the --out folder: {}",
                 ids.join(", ")
             ),
             "grade the whole class, so that nobody's submission is lost",
@@ -203,6 +203,6 @@ mod tests {
         refuse_partial_class(&new, &earlier, "pass paths").expect("all are here");
         let error =
             refuse_partial_class(&of(&["bob"]), &earlier, "pass paths").expect_err("ada is absent");
-        assert!(error.to_string().contains("missing now: ada"), "{error}");
+        assert!(error.to_string().contains("now missing: ada"), "{error}");
     }
 }

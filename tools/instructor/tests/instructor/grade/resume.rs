@@ -177,7 +177,7 @@ fn shards_merge_to_the_grades_of_one_run() {
     on_small_assignment(&["merge", &other, "--out", &out]).expect_code(3);
     on_small_assignment(&["merge", &one, &two, "--out", &out])
         .expect_code(2)
-        .expect_err("that is missing now: zed");
+        .expect_err("that is now missing: zed");
 }
 
 #[test]
@@ -411,7 +411,7 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
     refused(&["--roster", &fewer], "graded with another roster");
     refused(
         &["--policy", &policy, "--shard", "1/1"],
-        "missing now: Cleo",
+        "now missing: Cleo",
     );
     let (bare, merged) = (class.path("bare"), class.path("merged"));
     on_small_assignment(&[&line[..], &[&bare, &few]].concat())
