@@ -30,7 +30,8 @@ pub enum Part {
     Figures,
     /// Whether code with each known mistake still renders the pictures in the galleries
     Galleries,
-    /// The interactive figures' types and mathematics (needs Node.js)
+    /// The interactive figures: whether the types in their code fit, and their mathematics (needs
+    /// Node.js)
     Interactive,
     /// Spelling (needs Node.js)
     Spelling,

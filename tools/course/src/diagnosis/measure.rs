@@ -114,7 +114,7 @@ pub fn measure(films: &[QuestionsAndAnswers<'_>]) -> Vec<Measurement> {
             part,
             about,
             noun: match noun == HITS && comparable.len() < both.len() {
-                true => "hits of the right object",
+                true => "hits on the right object",
                 false => noun,
             },
             side: None,
@@ -269,7 +269,7 @@ fn among(rule: &Rule, wrong: &[&Sample], all: bool) -> String {
     let place = words::rule(rule, wrong[0]);
     let count = wrong.iter().filter(|it| rule.holds(it)).count();
     match all {
-        true => format!(", among them all {count} where {place}"),
+        true => format!(", including all {count} where {place}"),
         // A condition on a wrong hit can't be tested where no hit was found, so don't claim "all".
         false => format!("; in {count} of these, {place}"),
     }

@@ -100,11 +100,11 @@ impl Rule {
 }
 
 impl Rule {
-    /// "nearly " if there are exceptions, otherwise empty.
+    /// "almost " if there are exceptions, otherwise empty.
     pub fn nearly(&self, wrong: &[&Sample], right: &[&Sample]) -> &'static str {
         let is_kept = wrong.iter().all(|it| self.holds(it))
             && !(self.scope == Scope::Exactly && right.iter().any(|it| self.holds(it)));
-        if is_kept { "" } else { "nearly " }
+        if is_kept { "" } else { "almost " }
     }
 
     /// "each", or "nearly all" if the rule has exceptions.

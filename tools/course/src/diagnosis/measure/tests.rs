@@ -300,7 +300,7 @@ fn one_of_two_reasons_for_misses_is_reported_with_its_count() {
     });
     let behind = (0..COUNT).filter(|index| question(*index).ray.origin.z < 0.0);
     let among = format!(
-        ", among them all {} where d · n > 0 (the surface is met from behind).",
+        ", including all {} where d · n > 0 (the surface is met from behind).",
         behind.count()
     );
     assert!(
