@@ -147,6 +147,7 @@ fn examine(
         interactive: true,
         second_judge: second_judge.as_ref(),
         clock: None,
+        withheld: &[],
         known: None,
         progress: &|_, _| {},
     };

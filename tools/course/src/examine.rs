@@ -59,6 +59,9 @@ pub struct Examiner<'a> {
     pub second_judge: Option<&'a SecondJudge>,
     /// Limits for each process, in place of the usual ones.
     pub clock: Option<&'a dyn Clock>,
+    /// The names of the scenes that students don't have. If someone waits for the result, they may
+    /// see everything about these scenes, too.
+    pub withheld: &'a [String],
     /// Replies that are known already, if there are any.
     pub known: Option<&'a dyn KnownReplies>,
     /// Called with what is being asked, and the share of answers so far, from 0 to 1.
@@ -204,8 +207,7 @@ impl Examiner<'_> {
 
     /// Whether students have this scene.
     fn is_public(&self, scene: &str) -> bool {
-        let mut scenes = self.assignment.scenes.iter();
-        scenes.any(|public| public.public && public.name == scene)
+        !self.withheld.iter().any(|name| name == scene)
     }
 
     /// Whether a group asks about pixels of a scene that students don't have. What a result says

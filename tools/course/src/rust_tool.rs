@@ -43,8 +43,20 @@ fn in_path(path: &OsStr, name: &str) -> Vec<PathBuf> {
     env::split_paths(path)
         .filter(|folder| Path::is_absolute(folder))
         .map(|folder| folder.join(&name))
-        .filter(|program| program.is_file())
+        .filter(|program| is_executable(program))
         .collect()
+}
+
+fn is_executable(program: &Path) -> bool {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        program
+            .metadata()
+            .is_ok_and(|it| it.is_file() && it.permissions().mode() & 0o111 != 0)
+    }
+    #[cfg(not(unix))]
+    program.is_file()
 }
 
 #[cfg(test)]
@@ -57,6 +69,7 @@ mod tests {
         let folder = tempfile::tempdir_in(&here).unwrap();
         let file = format!("tool{}", env::consts::EXE_SUFFIX);
         std::fs::write(folder.path().join(&file), "").unwrap();
+        crate::private::allow(&folder.path().join(&file), 0o755).unwrap();
         let relative = folder.path().strip_prefix(&here).unwrap();
         assert!(in_path(relative.as_os_str(), "tool").is_empty());
         let both = env::join_paths([relative, folder.path()]).unwrap();

@@ -125,10 +125,6 @@ impl Report {
             .clone()
             .flat_map(|(k, task)| BeliefReference::by_task(k, &task.name, &task.diagnosis))
             .collect();
-        let scenes = outcome.scenes.iter().zip(films);
-        let failing = scenes.filter(|(scene, _)| !scene.outcome.passes());
-        let pixels = failing.map(|(_, film)| film.golden.film().resolution().pixels());
-        let share = window::share(pixels);
         let scenes = outcome.scenes.par_iter().zip(films).enumerate();
         let scenes = scenes.map(|(k, (scene, film))| {
             let evidence = JudgedScene {
@@ -140,7 +136,7 @@ impl Report {
                 again,
                 told: &told,
             };
-            evidence.section(k, share)
+            evidence.section(k)
         });
         let lines: Vec<String> = outcome.printed.lines().map(printable).collect();
         let earlier = outcome.earlier.iter().map(terminal::earlier_in_words);
@@ -166,8 +162,7 @@ impl Report {
 
     /// The report of one film. `golden` and `film` are the paths of the two films.
     pub fn of_film(evidence: Evidence, golden: &str, film: &str) -> Report {
-        let share = window::share([evidence.golden.film().resolution().pixels()]);
-        let section = SceneSection::of(0, evidence, share);
+        let section = SceneSection::of(0, evidence, window::MOST_ALONE);
         Report {
             title: section.name.clone(),
             of: vec![("film", printable(film)), ("golden", printable(golden))],
@@ -224,7 +219,7 @@ struct JudgedScene<'a> {
 }
 
 impl JudgedScene<'_> {
-    fn section(&self, k: usize, share: f64) -> Result<SceneSection> {
+    fn section(&self, k: usize) -> Result<SceneSection> {
         let (result, cast) = (self.scene, self.film);
         let passes = result.outcome.passes();
         let scene = match passes {
@@ -273,7 +268,7 @@ impl JudgedScene<'_> {
             ),
             explain: Some(terminal::explain(&cast.argument, self.submission)),
         };
-        Ok(SceneSection::of(k, evidence, share))
+        Ok(SceneSection::of(k, evidence, window::MOST_EACH))
     }
 }
 

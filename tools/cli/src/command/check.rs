@@ -87,6 +87,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
         interactive: true,
         second_judge: second_judge.as_ref(),
         clock: None,
+        withheld: &[],
         known: None,
         progress: &|what, share| progress.show(what, share),
     };

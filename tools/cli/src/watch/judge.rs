@@ -132,6 +132,7 @@ impl OrderJudge {
             interactive: true,
             second_judge: None,
             clock: None,
+            withheld: &[],
             known: None,
             progress: &|what, _| {
                 let mut asking = asking.lock().unwrap_or_else(PoisonError::into_inner);

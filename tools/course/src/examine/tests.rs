@@ -28,12 +28,9 @@ impl KnownReplies for Asked {
 #[test]
 fn everything_withheld_is_asked_last() {
     let checkout = Checkout::find().unwrap();
-    let mut assignment = Assignment::read(&checkout, "ray_casting").unwrap();
+    let assignment = Assignment::read(&checkout, "ray_casting").unwrap();
     let goldens = Goldens::read(&assignment.golden(), &assignment).unwrap();
     let hidden = "tilted_camera";
-    for scene in &mut assignment.scenes {
-        scene.public = scene.name != hidden;
-    }
     let asked = Asked::default();
     let program = Program {
         executable: "/bin/false".into(),
@@ -52,6 +49,7 @@ fn everything_withheld_is_asked_last() {
         interactive: false,
         second_judge: None,
         clock: None,
+        withheld: &[hidden.to_owned()],
         known: Some(&asked),
         progress: &|_, _| {},
     };

@@ -186,6 +186,14 @@ fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -
             );
         };
         let shape = table.get_ref().get("shape");
+        let has_type = |it: &DeTable| it.contains_key("type");
+        if shape.is_some_and(|it| it.get_ref().as_table().is_some_and(has_type)) {
+            return at(
+                span,
+                "the shape of an example has no `type`",
+                "leave it out",
+            );
+        }
         if let Some((span, values)) =
             shape.and_then(|it| Some((it.span(), it.get_ref().as_table()?)))
         {

@@ -56,15 +56,17 @@ fn rays_of_ones_own_need_mitsuba_and_a_task_about_one_shape() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.toml");
     let assignment = Assignment::read(&Checkout::find().unwrap(), "ray_casting").unwrap();
-    for (task, problem) in [
-        ("plane", "only Mitsuba can judge rays of your own"),
+    for (task, more, problem) in [
+        ("plane", "", "only Mitsuba can judge rays of your own"),
+        ("plane", ", type = 'plane'", "of an example has no `type`"),
         (
             "first_hit",
+            "",
             ":3: rays of your own can only be used in a task",
         ),
     ] {
         let ray = "ray = { e = [0, 0, 4], d = [0, 0, -2], min_t = 0 }";
-        let shape = "shape = { point = [0, 0, 0], normal = [0, 0, 1] }";
+        let shape = format!("shape = {{ point = [0, 0, 0], normal = [0, 0, 1]{more} }}");
         let text = format!("task = \"{task}\"\n[[example]]\n{ray}\n{shape}\n");
         fs::write(&file, text).unwrap();
         let nowhere = Checkout::at(folder.path());

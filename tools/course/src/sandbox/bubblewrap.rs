@@ -42,6 +42,10 @@ pub struct Bubblewrap {
     pub budget: Budget,
 }
 
+/// Where bubblewrap usually is. This folder is the system's, even where a user namespace shows
+/// another owner.
+const USUAL: &str = "/usr/bin/bwrap";
+
 /// The path of this program inside.
 const PINHOLE_INSIDE: &str = "/pinhole";
 
@@ -73,11 +77,13 @@ fn are_user_namespaces_restricted() -> bool {
 fn find() -> io::Result<PathBuf> {
     let mut found = programs("bwrap").peekable();
     let first = found.peek().cloned();
-    let is_safe = |program: &PathBuf| {
-        let program = program.canonicalize();
-        program.is_ok_and(|it| it.ancestors().all(is_ours))
+    // What was checked is what is started, and not a link to it.
+    let safe = |program: PathBuf| {
+        let program = program.canonicalize().ok()?;
+        let is_safe = program == Path::new(USUAL) || program.ancestors().all(is_ours);
+        is_safe.then_some(program)
     };
-    found.find(is_safe).ok_or_else(|| {
+    found.find_map(safe).ok_or_else(|| {
         io::Error::other(match first {
             Some(first) => format!("other users can replace {}", first.display()),
             None => "there is no bwrap in PATH".into(),

@@ -41,7 +41,13 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         return preview::print(&roll, &assignment, arguments.json);
     };
     let public = assignment.golden();
-    let folder = arguments.golden.as_ref().unwrap_or(&public);
+    // Use what is checked below, and not a link to it that another user may change.
+    let real = |folder: &PathBuf| folder.canonicalize().unwrap_or_else(|_| folder.clone());
+    let (golden, fresh) = (
+        arguments.golden.as_ref().map(real),
+        arguments.fresh.as_ref().map(real),
+    );
+    let folder = golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
     let cache = ResultCache::open(out)?;
     let new: Vec<Entry> = roll.entries.clone();
@@ -61,19 +67,19 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         }
     };
 
-    for folder in arguments.golden.iter().chain(&arguments.fresh) {
+    for folder in golden.iter().chain(&fresh) {
         if !is_hidden(folder) {
             let name = folder.display().to_string();
             let problem = format!("other users of this machine can read {name}");
             let remedy = format!("chmod go-rwx {}", in_shell(&name));
             // An instructor's own scenes need not be secret.
-            if arguments.fresh.as_ref() == Some(folder) {
+            if fresh.as_ref() == Some(folder) {
                 return Err(Error::input(problem, remedy));
             }
             anstream::eprintln!("{problem}; if these goldens are secret: {remedy}");
         }
     }
-    let made = match (&arguments.fresh, arguments.no_fresh) {
+    let made = match (&fresh, arguments.no_fresh) {
         (_, true) => None,
         (Some(folder), _) => {
             let seed = Manifest::read(folder)?.probe_seed;

@@ -224,8 +224,14 @@ impl Grader<'_> {
         selection: &Selection,
         clock: &SubmissionClock,
     ) -> Result<Examination> {
+        // Nobody has fresh scenes.
+        let is_fresh = self.fresh.is_some_and(|fresh| std::ptr::eq(fresh, goldens));
+        let scenes = goldens.scenes.iter().map(|scene| &scene.name);
+        let withheld = scenes.filter(|name| is_fresh || self.withheld.scenes.contains(name));
+        let withheld: Vec<String> = withheld.cloned().collect();
         let examiner = Examiner {
             assignment: self.assignment,
+            withheld: &withheld,
             goldens,
             program,
             sandbox,

@@ -98,6 +98,7 @@ impl Validator<'_> {
             interactive: false,
             second_judge: self.second_judge,
             clock: None,
+            withheld: &[],
             known,
             progress: &|_, _| {},
         };

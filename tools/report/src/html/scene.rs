@@ -15,7 +15,7 @@ use super::page::{class, for_script};
 use super::picture;
 use super::pixels;
 use super::rays::{RayGrid, SubmittedRays};
-use super::window::Window;
+use super::window::{self, Window};
 use crate::terminal;
 
 /// What the page shows of a film.
@@ -103,8 +103,8 @@ pub enum View {
 }
 
 impl SceneSection {
-    /// The `k`-th film, with all numbers of this share of its pixels.
-    pub fn of(k: usize, evidence: Evidence, share: f64) -> SceneSection {
+    /// The `k`-th film, with all numbers of at most this many of its pixels.
+    pub fn of(k: usize, evidence: Evidence, most: usize) -> SceneSection {
         let golden = evidence.golden.film();
         let film = evidence.film.filter(|film| shows_hits(film));
         let comparable = film.filter(|film| {
@@ -112,7 +112,11 @@ impl SceneSection {
         });
         let wrong = comparable.map(|film| PixelCauses::between(evidence.golden, film));
         let start = start(&evidence, wrong.as_ref());
-        let window = Window::around(start, golden.resolution(), share);
+        let window = Window::around(
+            start,
+            golden.resolution(),
+            window::share(golden.resolution(), most),
+        );
         let view = match evidence.verdict.and_then(worst_pixel) {
             Some((channel, _)) => View::of(&channel.name),
             None => View::Normal,

@@ -181,7 +181,7 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             command: String::new(),
             explain: None,
         };
-        SceneSection::of(0, evidence, 1.0)
+        SceneSection::of(0, evidence, 20_000)
     };
     for reveal in REVEALS {
         for scenes in [vec!["exam".into()], Vec::new()] {
