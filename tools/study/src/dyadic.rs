@@ -89,7 +89,7 @@ impl Dyadic {
     }
 
     /// The square root of a non-negative number, rounded down, with a relative error below
-    /// 2⁻¹²⁸.
+    /// 2⁻¹²⁷.
     pub fn sqrt(&self) -> Dyadic {
         let up = 2 * BITS - self.bits();
         // Makes the remaining exponent even.

@@ -62,7 +62,7 @@ impl Root {
         numerator.rounded_over(&self.divisor)
     }
 
-    /// ±√`radicand`, with a relative error below 2⁻¹²⁸.
+    /// ±√`radicand`, with a relative error below 2⁻¹²⁷.
     fn root(&self) -> Dyadic {
         let root = self.radicand.sqrt();
         if self.sign < 0 { -root } else { root }

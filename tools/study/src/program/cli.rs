@@ -80,8 +80,9 @@ pub struct Study {
 ///
 /// This way is called a plan. A film that is rendered by a plan shows the true object at every
 /// pixel. Normals and the rays' parameters t at the hits are as accurate as you ask for. (The
-/// exception is a t below 2e-308 or above 1.7e308, where f64 has fewer digits or none.) The accuracy is proven for every camera
-/// ray, not estimated from samples. For each kind of shape, the output says how accurate f64
+/// exception is a t below 2e-308 or above 1.7e308, where f64 has fewer digits or none. A file of a
+/// film keeps only 7 digits, and numbers from 1e-38 to 3e38.) The accuracy is proven for every
+/// camera ray, not estimated from samples. For each kind of shape, the output says how accurate f64
 /// arithmetic is, and which hits must be checked and perhaps computed exactly. It also says whether
 /// a bounding volume hierarchy is worthwhile. The same scene and options always give the same plan.
 ///
@@ -119,7 +120,8 @@ pub struct Render {
     /// Use the exact caster, which never shows a wrong object and keeps t and normals accurate to
     /// 1e-12. If rounding leaves a decision open, exact arithmetic decides, and the output says how
     /// often that happened. A ray that meets a triangle's edge hits the triangle. Before the rays
-    /// are cast, they are rounded to f64
+    /// are cast, they are rounded to f64. The film's file keeps only 7 digits, and numbers from 1e-38
+    /// to 3e38
     #[arg(long)]
     pub exact: bool,
     /// Use the fastest plan that is proven to keep t and normals as accurate as ACCURACY, a number
