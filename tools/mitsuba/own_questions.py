@@ -27,8 +27,10 @@ def render(path, shape, name, folder):
         if "ray" in example:
             ray, thing = example["ray"], shapes.read({**example["shape"], "type": shape}, None)
             question = ask(thing, ray["e"], ray["d"], ray["min_t"])
-            if not (np.isfinite(question.values()).all() and is_kept(thing.values())):
+            if not np.isfinite(question.values()).all():
                 raise SceneError(f"{path}: own ray {len(questions)} has a number beyond float32")
+            if not is_kept(thing.values()):
+                raise SceneError(f"{path}: own ray {len(questions)} has a number below float32")
             answer = question.answer()
             if answer is None or not np.isfinite(answer).all():
                 raise SceneError(f"{path}: own ray {len(questions)} is too close to call")

@@ -111,8 +111,8 @@ pub fn unanswered(asked: &QuestionFilm, reply: &Reply) -> Vec<Fact> {
     }
 }
 
-/// A pixel without a usable answer: the code panicked there, was still working when its time was up,
-/// or gave a number that is not finite.
+/// A pixel without a usable answer: the code panicked there, ended its process, was still working
+/// when its time was up, or gave a number that is not finite.
 #[derive(Clone, Copy, Debug)]
 pub struct UnansweredPixel {
     /// The pixel.

@@ -5,7 +5,7 @@ mod diagnose;
 mod earlier;
 mod judged_film;
 mod scenes;
-#[cfg(test)]
+#[cfg(all(test, unix))]
 mod tests;
 
 use std::time::Duration;
@@ -126,14 +126,6 @@ impl Examiner<'_> {
         let (public, hidden): (Vec<&GoldenScene>, Vec<&GoldenScene>) = scenes
             .iter()
             .partition(|scene| self.interactive || self.is_public(&scene.name));
-        let (program, earlier) = match scenes.is_empty() {
-            true => (self.program.clone(), None),
-            false => self.judge_earlier()?,
-        };
-        let caster = Examiner {
-            program: &program,
-            ..*self
-        };
         // Ask about everything withheld last. Otherwise, code that has seen it could make its
         // process end at a certain time, from which a later process could tell what it has seen.
         let (mut pictures, mut printed) = (Vec::new(), Vec::new());
@@ -143,6 +135,14 @@ impl Examiner<'_> {
             pictures.extend(drawn);
             printed.push(text);
         }
+        let (program, earlier) = match scenes.is_empty() {
+            true => (self.program.clone(), None),
+            false => self.judge_earlier()?,
+        };
+        let caster = Examiner {
+            program: &program,
+            ..*self
+        };
         let mut cast = caster.scenes(&public, &answered)?;
         for (task, outcome) in tasks.iter().zip(&mut answered) {
             let (drawn, text) = self.withheld_groups(task, outcome)?;

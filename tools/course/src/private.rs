@@ -49,6 +49,19 @@ pub fn is_ours(path: &Path) -> bool {
     is_closed(path, 0o022)
 }
 
+/// Whether no other user can replace a file: it and each folder around it belong to us or root, and
+/// nobody else can change them. Others may add files of their own to a folder with the sticky bit.
+#[cfg(unix)]
+pub fn is_irreplaceable(path: &Path) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    let ours = [0, rustix::process::geteuid().as_raw()];
+    let is_sticky = |it: &Path| {
+        fs::metadata(it)
+            .is_ok_and(|it| it.is_dir() && it.mode() & 0o1000 != 0 && ours.contains(&it.uid()))
+    };
+    path.ancestors().all(|it| is_ours(it) || is_sticky(it))
+}
+
 /// Whether only we and root can reach a folder, because it or a folder around it is private. True
 /// if it isn't there.
 pub fn is_hidden(folder: &Path) -> bool {

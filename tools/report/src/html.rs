@@ -125,6 +125,10 @@ impl Report {
             .clone()
             .flat_map(|(k, task)| BeliefReference::by_task(k, &task.name, &task.diagnosis))
             .collect();
+        let most = match outcome.scenes.len() {
+            1 => window::MOST_ALONE,
+            _ => window::MOST_EACH,
+        };
         let scenes = outcome.scenes.par_iter().zip(films).enumerate();
         let scenes = scenes.map(|(k, (scene, film))| {
             let evidence = JudgedScene {
@@ -136,7 +140,7 @@ impl Report {
                 again,
                 told: &told,
             };
-            evidence.section(k)
+            evidence.section(k, most)
         });
         let lines: Vec<String> = outcome.printed.lines().map(printable).collect();
         let earlier = outcome.earlier.iter().map(terminal::earlier_in_words);
@@ -219,7 +223,7 @@ struct JudgedScene<'a> {
 }
 
 impl JudgedScene<'_> {
-    fn section(&self, k: usize) -> Result<SceneSection> {
+    fn section(&self, k: usize, most: usize) -> Result<SceneSection> {
         let (result, cast) = (self.scene, self.film);
         let passes = result.outcome.passes();
         let scene = match passes {
@@ -268,7 +272,7 @@ impl JudgedScene<'_> {
             ),
             explain: Some(terminal::explain(&cast.argument, self.submission)),
         };
-        Ok(SceneSection::of(k, evidence, window::MOST_EACH))
+        Ok(SceneSection::of(k, evidence, most))
     }
 }
 

@@ -1,8 +1,6 @@
 //! `pinhole doctor` on this machine, and on one that lacks everything.
 
-use std::process::Command;
-
-use pinhole_testing::{fresh, pinhole, pinhole_in, pinhole_with, program_of, ran, root, trusted};
+use pinhole_testing::{fresh, pinhole, pinhole_in, pinhole_with, trusted};
 use serde_json::Value;
 
 fn finding<'a>(document: &'a Value, name: &str) -> &'a Value {
@@ -61,30 +59,4 @@ fn the_doctor_says_what_is_missing_what_it_is_for_and_how_to_get_it() {
         "{}",
         ran.out
     );
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn a_bubblewrap_that_other_users_can_replace_is_not_started() {
-    use std::os::unix::fs::PermissionsExt;
-    let folder = fresh(&trusted(), "other-bwrap");
-    let other = folder.join("bwrap");
-    std::fs::write(&other, "#!/bin/sh\necho another bwrap >&2\nexit 1\n").expect("there is room");
-    let allow = |path: &std::path::Path, mode| {
-        std::fs::set_permissions(path, PermissionsExt::from_mode(mode)).expect("it is ours");
-    };
-    allow(&other, 0o755);
-    let path = std::env::var("PATH").expect("there is a PATH");
-    let found = || {
-        let output = Command::new(program_of("doctor"))
-            .args(["doctor", "--json"])
-            .env("PATH", format!("{}:{path}", folder.display()))
-            .current_dir(root())
-            .output();
-        let document = ran(output.expect("it was built")).json();
-        finding(&document, "sandbox")["found"].to_string()
-    };
-    assert!(found().contains("another bwrap"), "{}", found());
-    allow(&folder, 0o777);
-    assert!(found().contains("bubblewrap works"), "{}", found());
 }

@@ -120,8 +120,9 @@ const LEAST: f64 = 24.0;
 /// If a belief explains several parts, a film may disagree by this many standard errors.
 const STANDARD_ERRORS: f64 = 2.5;
 
-/// Whether these beliefs together explain what is wrong in a part of the films. A single film may
-/// disagree by this many standard errors, because its estimate comes from a sample.
+/// Whether these beliefs together explain what is wrong in a part of the films: of all films together
+/// and of each. A single film may disagree by this many standard errors, because its estimate comes
+/// from a sample.
 fn explains(films: &[FilmParts], part: usize, beliefs: &[&str], errors: f64) -> bool {
     let is_enough = |pixels: usize, failing: f64, shared: f64, absent: f64, off: f64| {
         let apart = failing - shared.min(failing) + absent;
@@ -135,10 +136,10 @@ fn explains(films: &[FilmParts], part: usize, beliefs: &[&str], errors: f64) -> 
         for (sum, count) in sums.iter_mut().zip([failing, shared, absent]) {
             *sum += count;
         }
-        // The pixels of the sample have the same weight. The variance of a count is at most the
-        // count itself.
+        // Each pixel of a sample of one in `weight` counts `weight` times, so the variance of the
+        // sum is at most (weight − 1) times the sum.
         let weights = beliefs.iter().map(|belief| film.part(belief, part).weight);
-        let off = errors * (weights.fold(0.0, f64::max) * failing).sqrt();
+        let off = errors * ((weights.fold(1.0, f64::max) - 1.0) * failing).sqrt();
         is_enough(film.pixels, failing, shared, absent, off)
     };
     let each = films.iter().all(is_whole);

@@ -146,7 +146,12 @@ impl Examiner<'_> {
                 false => end = middle,
             }
         }
-        reply.still_at = Some(first);
+        // It may also have died of many answers together.
+        let alone = job.part(first..first + 1).filter(|_| first < job.len());
+        let alone = alone.map(|part| self.ask(what, &part, wall)).transpose()?;
+        reply.still_at = alone
+            .is_some_and(|alone| !alone.is_whole())
+            .then_some(first);
         Ok(())
     }
 

@@ -68,8 +68,8 @@ impl Examiner<'_> {
             return Ok(BTreeMap::new());
         }
         // An answer that gave no film for its questions would end the process for all scenes.
-        let broken = self.with_a_group(tasks, |task, group| {
-            !matches!(group.outcome, FilmOutcome::Judged(_)) && !self.withholds(task, &group.name)
+        let broken = self.with_a_group(tasks, |_, group| {
+            !matches!(group.outcome, FilmOutcome::Judged(_))
         });
         let mut films = Vec::new();
         for scene in scenes {
@@ -150,7 +150,7 @@ impl Examiner<'_> {
                 self.find_death(&scene.name, &film.job, self.wall, &mut reply)?;
                 let judged = self.judge(&reply, &film, None)?;
                 tests = reply.own_tests(film.resolution);
-                // Like the question at which an answer stopped, see `Examiner::task`.
+                // Like the question at which an answer stopped, see `Examiner::judge_groups`.
                 if self.interactive {
                     let judged = judged.verdict.as_ref();
                     unanswered = describe::unanswered_pixel(&reply, judged, film.resolution);

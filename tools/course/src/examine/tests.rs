@@ -33,7 +33,7 @@ fn everything_withheld_is_asked_last() {
     let hidden = "tilted_camera";
     let asked = Asked::default();
     let program = Program {
-        executable: "/bin/false".into(),
+        executable: "/usr/bin/false".into(),
         replaced: Default::default(),
         stubs: BTreeSet::new(),
         with_ours: None,
@@ -68,7 +68,11 @@ fn everything_withheld_is_asked_last() {
     assert_eq!(order[last], ("viewing_ray".into(), rays));
     assert_eq!(names[last + 1], hidden);
     let public = |name: &&str| **name != *hidden && **name != *"viewing_ray";
-    assert_eq!(names[1..last].iter().filter(|it| public(it)).count(), 16);
+    let others = assignment.tasks.len() - 1 + assignment.scenes.len() - 1;
+    assert_eq!(
+        names[1..last].iter().filter(|it| public(it)).count(),
+        others
+    );
     // The results are in the assignment's order.
     let scenes = examination.outcome.scenes.iter().map(|scene| &scene.name);
     let expected = assignment.scenes.iter().map(|scene| &scene.name);

@@ -116,7 +116,7 @@ impl OwnQuestions {
             Some(Ok(verdict)) => verdict.failing.first().copied(),
             Some(Err(Refusal::NotFinite { pixel, .. })) => Some(film.resolution.index(pixel)),
             Some(Err(_)) | None => {
-                let problem = format!("our own solution can't be asked {OWN}s");
+                let problem = format!("our own solution gives no usable answer to an {OWN}");
                 return Err(Error::environment(problem, "run: cargo pinhole validate"));
             }
         };
@@ -190,7 +190,7 @@ fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -
         if shape.is_some_and(|it| it.get_ref().as_table().is_some_and(has_type)) {
             return at(
                 span,
-                "the shape of an example has no `type`",
+                "the shape of an example must not have a `type`",
                 "leave it out",
             );
         }

@@ -58,7 +58,7 @@ fn rays_of_ones_own_need_mitsuba_and_a_task_about_one_shape() {
     let assignment = Assignment::read(&Checkout::find().unwrap(), "ray_casting").unwrap();
     for (task, more, problem) in [
         ("plane", "", "only Mitsuba can judge rays of your own"),
-        ("plane", ", type = 'plane'", "of an example has no `type`"),
+        ("plane", ", type = 'plane'", "must not have a `type`"),
         (
             "first_hit",
             "",

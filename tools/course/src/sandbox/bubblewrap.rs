@@ -16,7 +16,7 @@ use super::toolchain::{libraries, library_names, linker};
 use super::user_id::UserId;
 use crate::checkout::Checkout;
 use crate::error::Result;
-use crate::private::is_ours;
+use crate::private::is_irreplaceable;
 use crate::rust_tool::programs;
 
 /// What is needed to make the sandbox.
@@ -73,20 +73,24 @@ fn are_user_namespaces_restricted() -> bool {
     fs::read_to_string(setting).is_ok_and(|text| text.trim() == "1")
 }
 
-/// The first bubblewrap in `PATH` that no other user can replace.
+/// The first bubblewrap in `PATH` that no other user can replace, or else the usual one.
 fn find() -> io::Result<PathBuf> {
-    let mut found = programs("bwrap").peekable();
+    safest(programs("bwrap").chain([USUAL.into()]).collect())
+}
+
+fn safest(programs: Vec<PathBuf>) -> io::Result<PathBuf> {
+    let mut found = programs.into_iter().filter(|it| it.is_file()).peekable();
     let first = found.peek().cloned();
     // What was checked is what is started, and not a link to it.
     let safe = |program: PathBuf| {
         let program = program.canonicalize().ok()?;
-        let is_safe = program == Path::new(USUAL) || program.ancestors().all(is_ours);
+        let is_safe = program == Path::new(USUAL) || is_irreplaceable(&program);
         is_safe.then_some(program)
     };
     found.find_map(safe).ok_or_else(|| {
         io::Error::other(match first {
             Some(first) => format!("other users can replace {}", first.display()),
-            None => "there is no bwrap in PATH".into(),
+            None => format!("there is no bwrap in PATH, and no {USUAL}"),
         })
     })
 }
@@ -270,4 +274,27 @@ fn bind_as(command: &mut Command, how: &str, path: &Path, inside: &Path) {
         command.args(["--perms", "0755", "--dir"]).arg(folder);
     }
     command.arg(how).arg(path).arg(inside);
+}
+
+#[cfg(test)]
+#[test]
+fn a_bubblewrap_that_other_users_can_replace_is_not_started() {
+    use crate::private::allow;
+    let [ours, open] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let program = |folder: &tempfile::TempDir| {
+        let program = folder.path().join("bwrap");
+        fs::write(&program, "").unwrap();
+        program
+    };
+    let (own, other) = (program(&ours), program(&open));
+    allow(open.path(), 0o777).unwrap();
+    let real = own.canonicalize().unwrap();
+    assert_eq!(safest(vec![other.clone(), own.clone()]).unwrap(), real);
+    // What is started is what was checked, and not a link to it.
+    fs::remove_file(&other).unwrap();
+    std::os::unix::fs::symlink(&own, &other).unwrap();
+    assert_eq!(safest(vec![other.clone()]).unwrap(), real);
+    allow(ours.path(), 0o777).unwrap();
+    let refused = safest(vec![other]).unwrap_err().to_string();
+    assert!(refused.contains("other users can replace"), "{refused}");
 }

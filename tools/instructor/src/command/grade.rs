@@ -70,8 +70,11 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     for folder in golden.iter().chain(&fresh) {
         if !is_hidden(folder) {
             let name = folder.display().to_string();
-            let problem = format!("other users of this machine can read {name}");
-            let remedy = format!("chmod go-rwx {}", in_shell(&name));
+            let problem = format!("{name} belongs to another user, or others can read it");
+            let remedy = format!(
+                "chmod go-rwx {0}, and chown it if it isn't yours",
+                in_shell(&name)
+            );
             // An instructor's own scenes need not be secret.
             if fresh.as_ref() == Some(folder) {
                 return Err(Error::input(problem, remedy));

@@ -282,10 +282,11 @@ fn between(wrong: f64, right: f64) -> Vec<f64> {
     let middle = 0.5 * (low + high);
     let is_inside = |it: &f64| low < *it && *it < high;
     let parsed = |text: String| text.parse().unwrap_or(middle);
-    let power = parsed(format!("1e{}", high.abs().log10().floor()));
+    let power = format!("1e{}", high.abs().log10().floor()).parse().ok();
     let mut rounded = (0..9).map(|digits| parsed(format!("{middle:.digits$e}")));
     let shortest = rounded.find(is_inside).unwrap_or(middle);
-    let mut bounds = vec![power, f64::EPSILON, f64::from(f32::EPSILON)];
+    let epsilons = [f64::EPSILON, f64::from(f32::EPSILON)];
+    let mut bounds: Vec<f64> = power.into_iter().chain(epsilons).collect();
     bounds.retain(is_inside);
     if !bounds.contains(&shortest) {
         bounds.push(shortest);

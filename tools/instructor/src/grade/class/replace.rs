@@ -78,7 +78,7 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
         let ids: Vec<&str> = old.iter().map(|old| &*old.id).collect();
         return Err(Error::input(
             format!(
-                "not as many submissions would replace these in the --out folder: {}",
+                "these in the --out folder would be replaced by fewer submissions: {}",
                 ids.join(", ")
             ),
             "grade the whole class, so that nobody's submission is lost",
