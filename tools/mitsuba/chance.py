@@ -33,11 +33,6 @@ def perpendicular(rng, axis):
     return normalize(vector - (vector @ axis) * axis)
 
 
-def ordinary_or_long(rng):
-    """A length from 0.3 to 3 or, one time in three, from 1e5 to 1e7."""
-    return log_uniform(rng, 1e5, 1e7) if rng.uniform() < 1 / 3 else rng.uniform(0.3, 3)
-
-
 def log_uniform(rng, low, high):
     """A number whose logarithm is uniform, so that all magnitudes are equally likely."""
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from chance import log_uniform, ordinary_or_long, perpendicular, sign, tilted_from, unit_vector
+from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import Question, ask
+from questions.lengths import ordinary_or_long
 from shapes.plane import Plane
 
 

@@ -7,8 +7,9 @@ starts. A parameter below 1 is a hit. Drawn evenly over a disc of radius 1.29, 6
 
 import numpy as np
 
-from chance import log_uniform, ordinary_or_long, perpendicular, unit_vector
+from chance import log_uniform, perpendicular, unit_vector
 from kinds.intersect import ask
+from questions.lengths import ordinary_or_long
 from shapes.sphere import Sphere
 
 

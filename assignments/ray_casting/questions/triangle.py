@@ -8,8 +8,9 @@ around it.
 import numpy as np
 
 from camera import normalize
-from chance import log_uniform, ordinary_or_long, perpendicular, sign, tilted_from, unit_vector
+from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import ask
+from questions.lengths import ordinary_or_long
 from shapes.triangle import Triangles
 
 
