@@ -236,7 +236,7 @@ pub fn partial<'a>(evidence: &[Evidence], candidates: &[&'a str]) -> Option<Vec<
     if !pairs.is_empty() {
         return most_likely(pairs);
     }
-    // A belief that explains two parts, such as which object is hit and t, is no coincidence.
+    // Two explained parts, such as which object is hit and t, hardly agree by chance.
     let is_held = |belief: &str| {
         parts_explained(films, parts, belief, STANDARD_ERRORS) > 1
             || parts_explained(films, parts, belief, 0.0) == 1 && leaves_room(evidence, belief)

@@ -250,7 +250,7 @@ fn literals(wrong: &[&Sample], right: &[&Sample], of: WhichAnswer) -> Vec<Litera
         };
         let largest = wrong.iter().copied().fold(f64::MIN, f64::max);
         let smallest = wrong.iter().copied().fold(f64::MAX, f64::min);
-        // If all wrong samples have the same value, such as 0, it is no bound that they share.
+        // If all wrong samples have the same value, such as 0, no bound is known.
         if smallest == largest && !first.quantities[k].is_count {
             continue;
         }
