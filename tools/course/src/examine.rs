@@ -24,7 +24,10 @@ use crate::diagnosis::measure::{measure, single_precision};
 use crate::error::{Error, Result};
 use crate::goldens::questions::{Group, QuestionFilm};
 use crate::goldens::{GoldenScene, Goldens};
-use crate::outcome::{Examination, FilmOutcome, GroupOutcome, GroupPicture, Outcome, TaskOutcome};
+use crate::outcome::{
+    EarlierOutcome, Examination, FilmOutcome, GroupOutcome, GroupPicture, Outcome, SceneFilm,
+    SceneOutcome, TaskOutcome,
+};
 use crate::sandbox::Sandbox;
 use crate::second_judge::SecondJudge;
 use crate::submission::Submission;
@@ -109,25 +112,49 @@ struct JudgedGroups<'q> {
     printed: String,
 }
 
+/// An examination that has asked everything except what is withheld.
+pub struct Begun<'a> {
+    examiner: &'a Examiner<'a>,
+    submission: &'a Submission,
+    selection: &'a Selection,
+    /// The selected tasks, and what became of their groups that are not withheld.
+    tasks: Vec<(&'a Task, TaskOutcome)>,
+    selected_scenes: Vec<&'a GoldenScene>,
+    /// What became of the selected scenes that are not withheld.
+    scenes: Vec<(SceneOutcome, SceneFilm, String)>,
+    /// The program that casts scenes.
+    caster: Program,
+    earlier: Option<EarlierOutcome>,
+    pictures: Vec<GroupPicture>,
+    /// What the code printed, by process.
+    printed: Vec<String>,
+}
+
 impl Examiner<'_> {
     /// Asks everything that is selected.
     ///
     /// Fails if a golden or a scene cannot be read, or the program cannot be started. The
     /// examination reports anything that the submission does wrong.
     pub fn examine(&self, submission: &Submission, selection: &Selection) -> Result<Examination> {
+        self.begin(submission, selection)?.finish()
+    }
+
+    /// Asks everything that is selected and not withheld. [`Begun::finish`] asks the rest.
+    ///
+    /// Ask about everything withheld last. Otherwise, code that has seen it could make its process
+    /// end at a certain time, from which a later process could tell what it has seen.
+    ///
+    /// # Errors
+    /// The same as those of [`Examiner::examine`].
+    pub fn begin<'b>(
+        &'b self,
+        submission: &'b Submission,
+        selection: &'b Selection,
+    ) -> Result<Begun<'b>> {
         let tasks = self.assignment.tasks.iter();
         let tasks: Vec<&Task> = tasks
             .filter(|task| selection.has_task(&task.name))
             .collect();
-        let scenes = self.goldens.scenes.iter();
-        let scenes: Vec<&GoldenScene> = scenes
-            .filter(|scene| selection.has_scene(&scene.name))
-            .collect();
-        let (public, hidden): (Vec<&GoldenScene>, Vec<&GoldenScene>) = scenes
-            .iter()
-            .partition(|scene| self.interactive || self.is_public(&scene.name));
-        // Ask about everything withheld last. Otherwise, code that has seen it could make its
-        // process end at a certain time, from which a later process could tell what it has seen.
         let (mut pictures, mut printed) = (Vec::new(), Vec::new());
         let mut answered = Vec::new();
         for (outcome, drawn, text) in self.each(&tasks, |task| self.task(task))? {
@@ -135,57 +162,39 @@ impl Examiner<'_> {
             pictures.extend(drawn);
             printed.push(text);
         }
-        let (program, earlier) = match scenes.is_empty() {
+        let selected_scenes = self.goldens.scenes.iter();
+        let selected_scenes: Vec<&GoldenScene> = selected_scenes
+            .filter(|scene| selection.has_scene(&scene.name))
+            .collect();
+        let (caster, earlier) = match selected_scenes.is_empty() {
             true => (self.program.clone(), None),
             false => self.judge_earlier()?,
         };
-        let caster = Examiner {
-            program: &program,
-            ..*self
-        };
-        let mut cast = caster.scenes(&public, &answered)?;
-        for (task, outcome) in tasks.iter().zip(&mut answered) {
-            let (drawn, text) = self.withheld_groups(task, outcome)?;
-            pictures.extend(drawn);
-            printed.push(text);
-        }
-        let tasks = answered;
-        cast.extend(caster.scenes(&hidden, &tasks)?);
-        let place = |name: &str| scenes.iter().position(|scene| scene.name == name);
-        cast.sort_by_key(|(outcome, ..)| place(&outcome.name));
-        let (mut outcomes, mut films) = (Vec::new(), Vec::new());
-        for (outcome, film, text) in cast {
-            outcomes.push(outcome);
-            films.push(film);
-            printed.push(text);
-        }
-        // Each process may print this much. The output of all together is cut to the same length.
-        let mut printed = without_overflows(&printed.concat());
-        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
-        let folder = submission.folder.display().to_string();
-        let mut outcome = Outcome {
-            withheld: match selection.is_everything() {
-                true => self.assignment.withheld,
-                false => 0,
-            },
-            tasks,
-            scenes: outcomes,
+        let public = selected_scenes.iter().filter(|it| self.shows(&it.name));
+        let public: Vec<&GoldenScene> = public.copied().collect();
+        let scenes = self.casting(&caster).scenes(&public, &answered)?;
+        Ok(Begun {
+            examiner: self,
+            submission,
+            selection,
+            tasks: tasks.into_iter().zip(answered).collect(),
+            selected_scenes,
+            scenes,
+            caster,
             earlier,
-            printed,
-            flags: flags(submission),
-            ..Outcome::new(&self.assignment.title, folder, self.sandbox.name())
-        };
-        outcome.add_up();
-        let mut examination = Examination {
-            outcome,
-            films,
             pictures,
-        };
-        timed("diagnose scenes", || {
-            let is_public = |scene: &str| self.interactive || self.is_public(scene);
-            self.goldens.diagnose_scenes(&mut examination, &is_public)
-        })?;
-        Ok(examination)
+            printed,
+        })
+    }
+
+    /// The same examiner with another program.
+    fn casting<'b>(&'b self, program: &'b Program) -> Examiner<'b> {
+        Examiner { program, ..*self }
+    }
+
+    /// Whether the result may say everything about this scene.
+    fn shows(&self, scene: &str) -> bool {
+        self.interactive || self.is_public(scene)
     }
 
     /// Reads the selected goldens into memory, for instance while a submission is being
@@ -382,5 +391,81 @@ impl Examiner<'_> {
         let text = reply.printed.trim_end();
         let text = &text[..text.floor_char_boundary(MOST_PRINTED_BY_ONE)];
         Ok((!text.is_empty()).then(|| Fact::new("printed", text)))
+    }
+}
+
+impl Begun<'_> {
+    /// The tasks that may earn a point: those with a group that passes, or is not asked yet.
+    pub fn promising_tasks(&self) -> Vec<String> {
+        let promising = self.tasks.iter().filter(|(task, outcome)| {
+            outcome.groups.iter().any(|group| group.outcome.passes())
+                || outcome.groups.len() < task.points.len()
+        });
+        promising.map(|(task, _)| task.name.clone()).collect()
+    }
+
+    /// Leaves out the scenes.
+    pub fn without_scenes(mut self) -> Self {
+        self.selected_scenes.clear();
+        self.scenes.clear();
+        self
+    }
+
+    /// Asks the rest.
+    ///
+    /// # Errors
+    /// The same as those of [`Examiner::examine`].
+    pub fn finish(self) -> Result<Examination> {
+        let examiner = self.examiner;
+        let (mut pictures, mut printed) = (self.pictures, self.printed);
+        let mut tasks = Vec::new();
+        for (task, mut outcome) in self.tasks {
+            let (drawn, text) = examiner.withheld_groups(task, &mut outcome)?;
+            tasks.push(outcome);
+            pictures.extend(drawn);
+            printed.push(text);
+        }
+        let selected = self.selected_scenes;
+        let hidden = selected.iter().filter(|it| !examiner.shows(&it.name));
+        let hidden: Vec<&GoldenScene> = hidden.copied().collect();
+        let mut cast = self.scenes;
+        cast.extend(examiner.casting(&self.caster).scenes(&hidden, &tasks)?);
+        let place = |name: &str| selected.iter().position(|scene| scene.name == name);
+        cast.sort_by_key(|(outcome, ..)| place(&outcome.name));
+        let (mut scenes, mut films) = (Vec::new(), Vec::new());
+        for (outcome, film, text) in cast {
+            scenes.push(outcome);
+            films.push(film);
+            printed.push(text);
+        }
+        // Each process may print this much. The output of all together is cut to the same length.
+        let mut printed = without_overflows(&printed.concat());
+        printed.truncate(printed.floor_char_boundary(MOST_PRINTED));
+        let folder = self.submission.folder.display().to_string();
+        let assignment = examiner.assignment;
+        let mut outcome = Outcome {
+            withheld: match self.selection.is_everything() {
+                true => assignment.withheld,
+                false => 0,
+            },
+            tasks,
+            scenes,
+            earlier: self.earlier,
+            printed,
+            flags: flags(self.submission),
+            ..Outcome::new(&assignment.title, folder, examiner.sandbox.name())
+        };
+        outcome.add_up();
+        let mut examination = Examination {
+            outcome,
+            films,
+            pictures,
+        };
+        timed("diagnose scenes", || {
+            let is_public = |scene: &str| examiner.shows(scene);
+            let goldens = examiner.goldens;
+            goldens.diagnose_scenes(&mut examination, &is_public)
+        })?;
+        Ok(examination)
     }
 }

@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 use self::clock::{Pace, SubmissionClock};
-use self::fresh::{revoke_failing_fresh, worth_asking_fresh};
+use self::fresh::revoke_failing_fresh;
 use super::evidence::Evidence;
 use super::intake::Entry;
 use super::points;
@@ -20,9 +20,9 @@ use super::redact::{Withheld, redact_scene};
 use super::shared_answers;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::{Attempt, Compiler, Program};
+use pinhole_course::compile::{Attempt, Compiler};
 use pinhole_course::error::Result;
-use pinhole_course::examine::{Examiner, Selection};
+use pinhole_course::examine::{Begun, Examiner, Selection};
 use pinhole_course::examples::add_handed_in;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{Examination, Outcome, Status};
@@ -153,21 +153,47 @@ impl Grader<'_> {
             Attempt::Program(program) => program,
         };
         let compiled = start.elapsed();
-        let everything = Selection::default();
-        let mut examination = self.examine(
-            self.goldens,
-            &program,
-            &sandbox,
-            submission,
-            &everything,
-            clock,
-        )?;
-        let fresh = match (self.fresh, worth_asking_fresh(&examination.outcome)) {
-            (Some(goldens), Some(selection)) => {
-                Some(self.examine(goldens, &program, &sandbox, submission, &selection, clock)?)
-            }
-            _ => None,
+        let examiner = |goldens, withheld| Examiner {
+            assignment: self.assignment,
+            goldens,
+            program: &program,
+            sandbox: &sandbox,
+            wall: Duration::MAX,
+            interactive: false,
+            second_judge: None,
+            clock: Some(clock),
+            withheld,
+            known: None,
+            progress: &|_, _| {},
         };
+        let everything = Selection::default();
+        let public = examiner(self.goldens, &self.withheld.scenes);
+        let public = public.begin(submission, &everything)?;
+        // Ask fresh questions about tasks before anything withheld. See `Examiner::begin`.
+        let fresh = self.fresh.map(|goldens| {
+            let scenes = goldens.scenes.iter().map(|scene| scene.name.clone());
+            let selection = Selection {
+                tasks: public.promising_tasks(),
+                scenes: scenes.collect(),
+            };
+            (goldens, selection)
+        });
+        let fresh = fresh.as_ref().map(|(goldens, selection)| {
+            // Nobody has fresh scenes.
+            let examiner = examiner(goldens, &selection.scenes);
+            (examiner, selection)
+        });
+        let fresh = fresh
+            .as_ref()
+            .map(|(examiner, selection)| examiner.begin(submission, selection));
+        let fresh = fresh.transpose()?;
+        let mut examination = public.finish()?;
+        let mut scenes = examination.outcome.scenes.iter();
+        let fresh = match scenes.any(|scene| scene.outcome.passes()) {
+            true => fresh.map(Begun::finish),
+            false => fresh.map(Begun::without_scenes).map(Begun::finish),
+        };
+        let fresh = fresh.transpose()?;
         let outcome = &mut examination.outcome;
         add_handed_in(outcome, submission, self.assignment, self.checkout, false)?;
         let asked = start.elapsed();
@@ -213,36 +239,6 @@ impl Grader<'_> {
             report: Some(page),
             evidence: Some(evidence),
         })
-    }
-
-    fn examine(
-        &self,
-        goldens: &Goldens,
-        program: &Program,
-        sandbox: &Sandbox,
-        submission: &Submission,
-        selection: &Selection,
-        clock: &SubmissionClock,
-    ) -> Result<Examination> {
-        // Nobody has fresh scenes.
-        let is_fresh = self.fresh.is_some_and(|fresh| std::ptr::eq(fresh, goldens));
-        let scenes = goldens.scenes.iter().map(|scene| &scene.name);
-        let withheld = scenes.filter(|name| is_fresh || self.withheld.scenes.contains(name));
-        let withheld: Vec<String> = withheld.cloned().collect();
-        let examiner = Examiner {
-            assignment: self.assignment,
-            withheld: &withheld,
-            goldens,
-            program,
-            sandbox,
-            wall: Duration::MAX,
-            interactive: false,
-            second_judge: None,
-            clock: Some(clock),
-            known: None,
-            progress: &|_, _| {},
-        };
-        examiner.examine(submission, selection)
     }
 
     /// See [`crate::scene_cap`].

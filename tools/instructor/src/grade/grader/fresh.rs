@@ -12,11 +12,10 @@ use crate::grade::provenance;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
-use pinhole_course::examine::Selection;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba;
-use pinhole_course::outcome::{GroupOutcome, Outcome, TaskOutcome};
+use pinhole_course::outcome::{GroupOutcome, Outcome};
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
 
@@ -155,23 +154,6 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
     }
 }
 
-/// The tasks and scenes that fresh questions could still take points from. A group may be worth
-/// nothing now and something later, so its points don't matter here.
-pub fn worth_asking_fresh(outcome: &Outcome) -> Option<Selection> {
-    let passes = |task: &&TaskOutcome| task.groups.iter().any(|group| group.outcome.passes());
-    let tasks = outcome.tasks.iter().filter(passes);
-    let tasks: Vec<String> = tasks.map(|task| task.name.clone()).collect();
-    let scenes = outcome.scenes.iter().any(|scene| scene.outcome.passes());
-    match (tasks.is_empty(), scenes) {
-        (true, false) => None,
-        (_, true) => Some(Selection::default()),
-        (false, false) => Some(Selection {
-            tasks,
-            scenes: Vec::new(),
-        }),
-    }
-}
-
 /// Takes away the points of groups that pass the public questions but fail fresh ones.
 pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
     for task in &mut outcome.tasks {
@@ -196,29 +178,6 @@ pub fn revoke_failing_fresh(outcome: &mut Outcome, fresh: &Outcome) {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn task_that_is_worth_nothing_now_is_asked_too() {
-        let group = |passes: bool| {
-            serde_json::json!({
-                "name": "front", "about": "", "points": 0, "possible": 0, "fails_fresh": false, "worst": [],
-                "outcome": {
-                    "kind": "withheld", "passes": passes, "ended": "timed out", "points_only": false,
-                },
-            })
-        };
-        let selected = |passes: bool| {
-            let mut outcome = Outcome::new("title", "ada".into(), "none");
-            let task = serde_json::json!([{
-                "name": "plane", "chapter": "", "points": 0, "possible": 0,
-                "file": { "state": "compiled" }, "groups": [group(passes)], "diagnosis": null,
-            }]);
-            outcome.tasks = serde_json::from_value(task).expect("a task");
-            worth_asking_fresh(&outcome).map(|selection| selection.tasks)
-        };
-        assert_eq!(selected(true), Some(vec!["plane".to_owned()]));
-        assert_eq!(selected(false), None);
-    }
 
     #[test]
     fn earlier_questions_are_found_where_they_were_put() {

@@ -6,7 +6,7 @@ use std::fs;
 use serde_json::Value;
 
 use super::{Class, answers, on_small_assignment};
-use pinhole_testing::{fresh, pinhole, root, small_assignment, trusted};
+use pinhole_testing::{fresh, fresh_goldens, pinhole, root, small_assignment, trusted};
 
 /// A folder of goldens as `golden render SCENE --out` makes it, with films and a manifest but no
 /// questions.
@@ -135,6 +135,42 @@ fn wrong_answers_to_public_questions_show_nothing_of_a_withheld_scene() {
     for shown in [result.to_string(), report] {
         assert!(!shown.contains("4242"), "{}", result["tasks"][0]);
     }
+}
+
+#[test]
+fn fresh_tasks_are_asked_before_a_withheld_scene_and_fresh_scenes_after_it() {
+    let class = Class::new("withheld-before-fresh");
+    let mine = goldens_of_one_scene(&class, "inside_a_sphere");
+    let reference = fs::read_to_string(answers().join("viewing_ray.rs")).expect("it is there");
+    // Each process prints when it is asked first.
+    let told = reference.replacen(
+        "// ANCHOR: answer\n",
+        "static ONCE: std::sync::Once = std::sync::Once::new();
+        ONCE.call_once(|| {
+            let now = std::time::SystemTime::UNIX_EPOCH.elapsed().unwrap();
+            println!(\"{}\", now.as_micros());
+        });
+",
+        1,
+    );
+    class.hand_in("mallory", &[("viewing_ray.rs", &told)]);
+    let (mallory, out) = (class.path("class/mallory"), class.path("out"));
+    let questions = fresh_goldens();
+    let questions = questions.to_str().expect("a plain name");
+    let line = ["grade", &mallory, "--out", &out, "--fresh", questions];
+    pinhole(&[&line[..], &["--golden", &mine]].concat()).expect_code(0);
+    let evidence: Value =
+        serde_json::from_str(&class.read("out/evidence/mallory.json")).expect("JSON");
+    let [public, fresh] = ["public", "fresh"].map(|part| {
+        let printed = evidence[part]["printed"].as_str().expect("a text");
+        let times = printed.lines().map(|line| line.parse::<u64>());
+        times.collect::<Result<Vec<_>, _>>().expect("times")
+    });
+    // The last process of each part casts scenes.
+    let [scene, fresh_scene] = [&public, &fresh].map(|times| times.last().expect("a scene"));
+    assert!(fresh[0] > public[0], "{public:?} {fresh:?}");
+    assert!(fresh[0] < *scene, "{public:?} {fresh:?}");
+    assert!(scene < fresh_scene, "{public:?} {fresh:?}");
 }
 
 #[test]
