@@ -7,8 +7,10 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use pinhole::Shape;
+use pinhole::job::Job;
 use pinhole::judge::{Refusal, judge};
+use pinhole::kind::{Questions, ShapeQuestion};
+use pinhole::{Ray, Shape};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -47,7 +49,7 @@ impl OwnQuestions {
         checkout: &Checkout,
         interactive: bool,
     ) -> Result<OwnQuestions> {
-        check((path, text), entries, task)?;
+        let questions = read((path, text), entries, task)?;
         if !mitsuba::is_there(checkout) {
             let remedy = match mitsuba::scripts(checkout).is_dir() {
                 true => "install it: cargo pinhole golden setup",
@@ -75,7 +77,7 @@ impl OwnQuestions {
             true => Progress::new(),
             false => Progress::hidden(),
         };
-        own.make(&file, task, assignment, checkout, &progress)?;
+        own.make(&file, &questions, task, assignment, checkout, &progress)?;
         Ok(own)
     }
 
@@ -83,6 +85,7 @@ impl OwnQuestions {
     fn make(
         &mut self,
         file: &Path,
+        questions: &[ShapeQuestion],
         task: &Task,
         assignment: &Assignment,
         checkout: &Checkout,
@@ -108,9 +111,13 @@ impl OwnQuestions {
             let problem = refusal.problem.replace(&file, "the examples");
             return Err(Error::input(problem, remedy));
         }
-        let film = goldens.probe(task, OWN)?;
+        let mut film = goldens.probe(task, OWN)?;
+        // Mitsuba's questions are rounded to single precision, and it computes in single precision.
+        // That is too little for some questions, so our own solution answers the questions as they
+        // were written.
+        let written = questions.iter().cycle().take(film.job.len()).cloned();
+        film.job = Job::Ask(Questions::Intersect(written.collect()));
         progress.say("the mistakes");
-        // Mitsuba computes in single precision, which is too little for a tiny shape far away.
         let reference = build(&assignment.reference(), assignment, checkout)?;
         let place = match cast(&reference, &film)?.map(|own| judge(&film.golden, &own)) {
             Some(Ok(verdict)) => verdict.failing.first().copied(),
@@ -122,7 +129,8 @@ impl OwnQuestions {
         };
         if let Some(place) = place {
             let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
-            return Err(Error::input(problem, "use numbers of ordinary size"));
+            let remedy = "use numbers of ordinary size with fewer digits";
+            return Err(Error::input(problem, remedy));
         }
         let ours = |error: Error| Error::environment(error.problem, error.remedy);
         let mut mistakes = mistake::read_all(assignment).map_err(ours)?;
@@ -142,8 +150,12 @@ impl OwnQuestions {
     }
 }
 
-/// Checks the rays and shapes that a file of examples describes.
-fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -> Result<()> {
+/// Reads the rays and shapes that a file of examples describes.
+fn read(
+    (path, text): (&Path, &str),
+    entries: &[Spanned<Entry>],
+    task: &Task,
+) -> Result<Vec<ShapeQuestion>> {
     let at = |span: usize, problem: &str, remedy: &str| {
         let line = text[..span].matches('\n').count() + 1;
         let problem = format!("{}:{line}: {problem}", path.display());
@@ -152,13 +164,12 @@ fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -
     let root = DeTable::parse(text).or_fail(&Error::file(path))?;
     let tables = root.get_ref().get("example").map(Spanned::get_ref);
     let tables = tables.and_then(DeValue::as_array).into_iter().flatten();
-    let mut count = 0;
+    let mut questions = Vec::new();
     for (entry, table) in entries.iter().zip(tables) {
         let Some(ray) = &entry.get_ref().ray else {
             continue;
         };
-        count += 1;
-        if count > MOST_SAMPLED {
+        if questions.len() == MOST_SAMPLED {
             let problem = format!("more than {MOST_SAMPLED} examples have rays of their own");
             return at(
                 entry.span().start,
@@ -197,8 +208,15 @@ fn check((path, text): (&Path, &str), entries: &[Spanned<Entry>], task: &Task) -
         if let Some((span, values)) =
             shape.and_then(|it| Some((it.span(), it.get_ref().as_table()?)))
         {
-            Shape::read(kind, (path, text), span, values)?;
+            questions.push(ShapeQuestion {
+                shape: Shape::read(kind, (path, text), span, values)?,
+                ray: Ray {
+                    origin: ray.e,
+                    direction: ray.d,
+                },
+                min_t: ray.min_t,
+            });
         }
     }
-    Ok(())
+    Ok(questions)
 }
