@@ -14,7 +14,7 @@ mod own;
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::resume_unwind;
 use std::path::Path;
-use std::{fs, thread};
+use std::thread;
 
 use pinhole::Fact;
 use pinhole::comparison::channel_names;
@@ -28,6 +28,7 @@ use crate::diagnosis::fingerprint::{Fingerprint, MOST_SAMPLED, scattered};
 use crate::error::{Error, Result, ResultExt};
 use crate::goldens::Goldens;
 use crate::goldens::questions::QuestionFilm;
+use crate::submission::{AnswerFileProblem, text};
 pub use file::new_file;
 use file::{Entry, File};
 pub use handed_in::add_handed_in;
@@ -44,8 +45,9 @@ const ENOUGH_DIGITS: f64 = 3.0;
 /// its name.
 const OWN: &str = "own ray";
 
-/// How many digits of a question's numbers are shown.
-const DIGITS: usize = 6;
+/// How many digits of a question's numbers are shown. They change a number less than a film does,
+/// which holds it in single precision.
+const DIGITS: usize = 8;
 
 /// The parts of an answer that an example may give, and the channels that hold them.
 const PARTS: [(&str, &[&str]); 7] = [
@@ -135,10 +137,15 @@ pub fn judge_file(
     assignment: &Assignment,
     checkout: &Checkout,
 ) -> Result<JudgedExamples> {
-    let text = fs::read_to_string(path).or_input(
-        path.display(),
-        "name a file that can be read, or write one: cargo pinhole examples --new TASK",
-    )?;
+    let remedy = "name a file that can be read, or write one: cargo pinhole examples --new TASK";
+    // It may be a student's, and an instructor may judge it.
+    let text = text::read(path)?.map_err(|problem| {
+        let why = match problem {
+            AnswerFileProblem::Missing => "there is no such file".into(),
+            AnswerFileProblem::Refused(why) => why,
+        };
+        Error::input(format!("{}: {why}", path.display()), remedy)
+    })?;
     judge((path, &text), assignment, checkout, true)
 }
 

@@ -41,14 +41,14 @@ question = 0
     let shown = "\
 ✓ inside 0
 ✗ behind 0    Mitsuba disagrees about whether there is a hit
-      ray       e = (0.995187, 1.64379, 0.851272), d = (1.14329, 0.0358736, 2.01817), min_t = 0
-      sphere    c = (0.177377, 1.55632, −0.552883), r = 0.779484
+      ray       e = (0.99518716, 1.6437857, 0.85127211), d = (1.1432894, 0.035873603, 2.0181653), min_t = 0
+      sphere    c = (0.17737678, 1.5563229, −0.55288345), r = 0.77948415
 ✗ outside 0    Mitsuba gives a different t
-      ray       e = (1.32633, −1.68963, −2.51568), d = (−0.409965, 0.370522, 0.123017), min_t = 0.682183
-      sphere    c = (0.00838233, −0.274514, −2.05823), r = 0.356689
+      ray       e = (1.3263266, −1.6896315, −2.5156848), d = (−0.40996549, 0.37052229, 0.12301663), min_t = 0.68218285
+      sphere    c = (0.0083823306, −0.27451432, −2.0582323), r = 0.35668939
 ? min_t 0    has no answer yet
-      ray       e = (−0.0524574, 1.88135, −0.726094), d = (840809, −762077, −131154), min_t = 2.75793e−6
-      sphere    c = (2.07076, −1.76115, −1.11323), r = 1.79849
+      ray       e = (−0.052457377, 1.8813487, −0.72609383), d = (840808.62, −762077.44, −131153.53), min_t = 2.7579256e−6
+      sphere    c = (2.0707569, −1.7611471, −1.1132345), r = 1.7984911
 Your correct example catches 19 of 25 mistakes that people make in this task.
 ";
     assert_eq!(ran.out, shown);
@@ -144,6 +144,18 @@ fn rays_of_ones_own_that_no_one_can_judge_are_refused() {
         (
             "ray = { e = [0, 0, 4e30], d = [0, 0, -2], min_t = 0 }",
             OWN_SHAPE,
+            "Mitsuba's precision is too low for own ray 0",
+        ),
+        // Single precision has too few digits for these: the first is 3 above the centre, the second
+        // 1.5 beside it.
+        (
+            "ray = { e = [0, 0, 100000003], d = [0, 0, -1], min_t = 0 }",
+            "shape = { center = [0, 0, 100000000], radius = 1 }",
+            "Mitsuba's precision is too low for own ray 0",
+        ),
+        (
+            "ray = { e = [16777215.5, 0, 5], d = [0, 0, -1], min_t = 0 }",
+            "shape = { center = [16777217, 0, 0], radius = 1 }",
             "Mitsuba's precision is too low for own ray 0",
         ),
         (

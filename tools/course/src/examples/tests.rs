@@ -1,9 +1,11 @@
+use std::fs;
+
 use super::*;
 use crate::checkout::Checkout;
 use crate::compile::Replacement;
 use crate::error::Fault;
 use crate::outcome::{Outcome, TaskOutcome};
-use crate::submission::{Answer, AnswerFileProblem, Submission};
+use crate::submission::{Answer, Submission};
 
 #[test]
 fn every_public_answer_is_right_when_rounded_to_three_digits() {
