@@ -62,11 +62,11 @@ pub fn is_irreplaceable(path: &Path) -> bool {
     path.ancestors().all(|it| is_ours(it) || is_sticky(it))
 }
 
-/// Whether only we and root can reach a folder, because it or a folder around it is private. True
+/// Whether only we and root can reach a folder, because it or a folder around it is private. False
 /// if it isn't there.
 pub fn is_hidden(folder: &Path) -> bool {
-    let folder = folder.canonicalize().ok();
-    folder.is_none_or(|it| it.ancestors().any(is_private))
+    let folder = folder.canonicalize();
+    folder.is_ok_and(|it| it.ancestors().any(is_private))
 }
 
 /// Whether nobody but the owner has any of these permissions.
@@ -104,6 +104,7 @@ fn nobody_else_reaches_a_readable_folder_in_a_private_one() {
     fs::create_dir(&inside).expect("there is room");
     allow(&inside, 0o755).expect("it is ours");
     assert!(!is_hidden(Path::new("/")));
+    assert!(!is_hidden(&private.path().join("absent")));
     make_private(private.path()).expect("it is ours");
     assert!(is_hidden(&inside) && !is_private(&inside));
     if rustix::process::geteuid().is_root() {

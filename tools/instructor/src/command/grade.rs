@@ -42,11 +42,14 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     };
     let public = assignment.golden();
     // Use what is checked below, and not a link to it that another user may change.
-    let real = |folder: &PathBuf| folder.canonicalize().unwrap_or_else(|_| folder.clone());
-    let (golden, fresh) = (
-        arguments.golden.as_ref().map(real),
-        arguments.fresh.as_ref().map(real),
-    );
+    let real = |folder: &PathBuf| {
+        folder.canonicalize().or_input(
+            format_args!("cannot read {}", folder.display()),
+            "pass a folder of goldens; `cargo pinhole golden render --out DIR` makes one",
+        )
+    };
+    let golden = arguments.golden.as_ref().map(real).transpose()?;
+    let fresh = arguments.fresh.as_ref().map(real).transpose()?;
     let folder = golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
     let cache = ResultCache::open(out)?;

@@ -294,5 +294,13 @@ fn changed_goldens_are_refused_for_grading() {
     on_small_assignment(&["grade", &ada, "--out", &out, "--fresh", &mine])
         .expect_code(2)
         .expect_err("or others can read it");
+    // A link that leads nowhere yet: whoever made it could point it at something later.
+    let link = class.path("link");
+    std::os::unix::fs::symlink(class.path("absent"), &link).expect("there is room");
+    for option in ["--fresh", "--golden"] {
+        on_small_assignment(&["grade", &ada, "--out", &out, option, &link])
+            .expect_code(2)
+            .expect_err(&format!("cannot read {link}"));
+    }
     assert!(!class.folder.join("out/grades.csv").exists());
 }
