@@ -97,7 +97,7 @@ const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
 /// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
 /// written. It could also use the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 23] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 24] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
@@ -126,6 +126,8 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 23] = [
     libc::SYS_fadvise64,
     // All submissions have the C library's file open, and each would notice another one's lock.
     libc::SYS_flock,
+    // Its inode's number tells how many processes and threads the machine has started.
+    libc::SYS_pidfd_open,
 ];
 
 /// The same calls under the names that only x86-64 still has.

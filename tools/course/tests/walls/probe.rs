@@ -82,6 +82,7 @@ fn main() {
         ("lock", 72, [-1, 6, 0, 0]),
         ("store a number", 72, [-1, 1036, 0, 0]),
         ("ask for flags", 72, [-1, 3, 0, 0]),
+        ("watch a process", 434, [-1, 0, 0, 0]),
         ("outlive the parent", 157, [1, -1, 0, 0]),
     ];
     let mut all = Vec::new();

@@ -57,7 +57,7 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
              \"socket\", \"make a folder\", \"openat a new file\", \
              \"openat a file without a name\", \"open a new file\", \
              \"open a file without a name\", \"share memory\", \"lock\", \
-             \"store a number\", \"outlive the parent\"]\n"
+             \"store a number\", \"watch a process\", \"outlive the parent\"]\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")
 }
