@@ -4,6 +4,7 @@
 //! scenes from a fresh seed cannot be known in advance.
 
 use std::fs;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use crate::golden;
@@ -147,10 +148,13 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
             ),
             "make others: cargo pinhole golden render --seed random --no-mistakes --out DIR",
         )),
-        Err(_) => fs::write(&path, format!("{word}\n")).or_input(
-            format_args!("cannot write {}", path.display()),
-            "copy the folder to a place where you may write",
-        ),
+        // Don't write through a link that somebody else has put there.
+        Err(_) => fs::File::create_new(&path)
+            .and_then(|mut file| writeln!(file, "{word}"))
+            .or_input(
+                format_args!("cannot write {}", path.display()),
+                "copy the folder to a place where you may write",
+            ),
     }
 }
 
@@ -225,6 +229,15 @@ mod tests {
             assert!(reserve(first).is_ok(), "the first time");
             assert!(reserve(first).is_ok(), "a resumed run");
             assert!(reserve(second).is_err(), "{first:?}, then {second:?}");
+        }
+        #[cfg(unix)]
+        {
+            let folder = tempfile::tempdir().expect("there is room");
+            let victim = folder.path().join("victim");
+            let link = folder.path().join(PURPOSE);
+            std::os::unix::fs::symlink(&victim, link).expect("there is room");
+            assert!(reserve(folder.path(), Purpose::Grading).is_err());
+            assert!(!victim.exists(), "it wrote through a link");
         }
     }
 
