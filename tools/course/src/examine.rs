@@ -395,10 +395,13 @@ impl Examiner<'_> {
 }
 
 impl Begun<'_> {
-    /// The tasks that may earn a point: those with a group that passes, or is not asked yet.
+    /// The tasks that may earn a point: those with a group that passes, or is not asked yet. All
+    /// tasks if a scene passes, because scenes may need them.
     pub fn promising_tasks(&self) -> Vec<String> {
+        let scene_passes = self.scenes.iter().any(|it| it.0.outcome.passes());
         let promising = self.tasks.iter().filter(|(task, outcome)| {
-            outcome.groups.iter().any(|group| group.outcome.passes())
+            scene_passes
+                || outcome.groups.iter().any(|group| group.outcome.passes())
                 || outcome.groups.len() < task.points.len()
         });
         promising.map(|(task, _)| task.name.clone()).collect()
