@@ -13,6 +13,8 @@ pub enum Part {
     Plans,
     /// Whole scenes.
     Scenes,
+    /// Meshes of up to a million triangles, beside Embree.
+    Embree,
 }
 
 /// How much work a study does.
@@ -36,6 +38,10 @@ pub struct Extent {
     pub seconds: f64,
     /// Whether instructions are counted.
     pub instructions: bool,
+    /// Random scenes that are planned.
+    pub random_plans: u64,
+    /// The sizes of the bumpy balls that are cast beside Embree: for each n, one of 8n² triangles.
+    pub balls: &'static [u32],
     /// The accuracies that plans are made for.
     pub accuracies: &'static [f64],
 }
@@ -50,6 +56,8 @@ impl Extent {
         step: 7,
         seconds: 0.01,
         instructions: false,
+        random_plans: 500,
+        balls: &[94],
         accuracies: &[1e-2, 1e-6, 1e-12],
         ..Extent::FULL
     };
@@ -64,6 +72,8 @@ impl Extent {
         step: 1,
         seconds: 0.15,
         instructions: true,
+        random_plans: 10_000,
+        balls: &[94, 354],
         accuracies: &[1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12],
     };
 

@@ -11,7 +11,8 @@
 //! 5. [`contestants`], [`speed`], [`classes`]: the kernels, what each costs, what it gets wrong
 //!    in each class of questions, and where it breaks;
 //! 6. [`leaks`]: closed meshes; [`secondary`]: rays that begin on a surface; [`cast`],
-//!    [`random_scene`], [`scenes`]: whole scenes; [`record`]: the long runs;
+//!    [`random_scene`], [`scenes`]: whole scenes; [`embree`]: the same rays cast by Embree;
+//!    [`record`]: the long runs;
 //! 7. [`plan`]: the cheapest way to cast a scene accurately enough, and [`plans`], which checks
 //!    this;
 //! 8. [`extent`], [`run`], [`targets`], [`provenance`], [`result`], [`plots`], [`summary`]: the
@@ -23,6 +24,7 @@ pub mod conditioning;
 pub mod contestants;
 pub mod double_double;
 pub mod dyadic;
+pub mod embree;
 pub mod extent;
 pub mod family;
 pub mod judge;

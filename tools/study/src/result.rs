@@ -48,6 +48,12 @@ pub struct Findings {
     pub grids: Vec<SceneTally>,
     /// Whole scenes, cast by plans.
     pub plans: Vec<PlanTally>,
+    /// Plans of random scenes, if any were made.
+    pub random_plans: Option<RandomPlans>,
+    /// Meshes that were cast beside Embree.
+    pub embree: Vec<EmbreeTally>,
+    /// What could not be measured on this machine, and why.
+    pub notes: Vec<&'static str>,
 }
 
 /// Where, when and how a study was made.
@@ -277,6 +283,38 @@ pub struct PlanTally {
     pub plain: f64,
     /// Time for building the tree for plain `f64`, divided by the number of pixels.
     pub plain_tree: f64,
+}
+
+/// Plans of random scenes, with sizes from 1e-30 to 1e30, judged at every pixel.
+#[derive(Clone, Debug, Serialize)]
+pub struct RandomPlans {
+    /// Plans that were made, each for another scene.
+    pub plans: u64,
+    /// Pixels that were judged.
+    pub pixels: u64,
+    /// The numbers of the plans with a wrong object or a pixel that is less accurate than requested.
+    pub broken: Vec<u64>,
+}
+
+/// One caster on the rays of a camera at one mesh.
+#[derive(Clone, Debug, Serialize)]
+pub struct EmbreeTally {
+    /// The mesh's name.
+    pub mesh: &'static str,
+    /// The number of its triangles.
+    pub triangles: usize,
+    /// The caster's name.
+    pub caster: &'static str,
+    /// Rays that were cast.
+    pub rays: u64,
+    /// Rays whose answer differs from that of exact casting by more than rounding to `f32` explains.
+    pub differ: u64,
+    /// CPU time for a ray, in the median film.
+    pub nanoseconds: f64,
+    /// Half the width of the median's 95 % confidence interval, divided by the median.
+    pub spread: f64,
+    /// The time divided by that of Embree.
+    pub over_embree: f64,
 }
 
 /// A figure that was promised or measured before, and the one measured now.

@@ -5,13 +5,15 @@ use rayon::prelude::*;
 use crate::classes;
 use crate::conditioning::condition;
 use crate::contestants::HasKernels;
+use crate::embree;
 use crate::extent::{Extent, Part};
 use crate::family::{Family, HasFamilies, questions};
 use crate::judge::judge;
 use crate::leaks::{self, Aim};
 use crate::plans;
 use crate::question::Data;
-use crate::result::{Findings, KernelTally, Point, Sweep};
+use crate::record::{Kind, record};
+use crate::result::{Findings, KernelTally, Point, RandomPlans, Sweep};
 use crate::scenes::{self, Stage};
 use crate::secondary;
 use crate::shape::{Plane, Sphere, Triangle};
@@ -42,6 +44,13 @@ pub fn run(extent: &Extent, say: &dyn Fn(&str)) -> Findings {
             let tallies = plans::studied(&Stage::new(&name, extent.step), extent);
             findings.plans.extend(tallies);
         }
+        say("plans for random scenes");
+        let count = record(Kind::Plans, 0..extent.random_plans, extent.seed);
+        findings.random_plans = Some(RandomPlans {
+            plans: extent.random_plans,
+            pixels: count.asked,
+            broken: count.broken,
+        });
     }
     if extent.has(Part::Scenes) {
         for name in scenes::names() {
@@ -53,6 +62,12 @@ pub fn run(extent: &Extent, say: &dyn Fn(&str)) -> Findings {
         // A grid has few rays, so cast all of them.
         let grids = scenes::grids().flat_map(|name| scenes::studied(&Stage::new(&name, 1), extent));
         findings.grids = grids.collect();
+    }
+    if extent.has(Part::Embree) {
+        match embree::IS_INSTALLED {
+            true => findings.embree = embree::studied(extent, say),
+            false => findings.notes.push(embree::IS_MISSING),
+        }
     }
     findings
 }

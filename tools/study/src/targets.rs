@@ -1,9 +1,10 @@
 //! The promises: what each is about, what was promised, and what a run found.
 
 use crate::contestants::EXACT;
+use crate::embree;
 use crate::judge::{median_and_worst, rule_of_three};
 use crate::question::Class;
-use crate::result::{Findings, PlanTally, SceneTally, Target, Trade};
+use crate::result::{EmbreeTally, Findings, PlanTally, SceneTally, Target, Trade};
 
 /// Numerically careful kernels without exact decisions.
 const CAREFUL: [&str; 3] = ["Haines scaled", "shifted origin", "Woop, edges owned"];
@@ -62,6 +63,12 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             "plans: pixels with a wrong object",
             plans(|it| it.kept.wrong_ids),
         ),
+        never(
+            "plans of random scenes: plans that break their promise",
+            sum(findings.random_plans.iter(), |it| {
+                [it.broken.len() as u64, it.plans]
+            }),
+        ),
         cost(
             "exact casting: extra instructions per ray, compared with f64",
             [25.0, 50.0],
@@ -74,6 +81,13 @@ pub fn targets(findings: &Findings) -> Vec<Target> {
             median_and_worst(instructions(&findings.grids).map(|[p, q]| p / q)),
             2,
         ),
+        cost(
+            "exact casting of meshes: time ÷ Embree's time",
+            [any, 1.5],
+            median_and_worst(exact_beside_embree(findings).map(|it| it.over_embree)),
+            2,
+        ),
+        agreement(findings),
         cost(
             "plans: time ÷ time with exact objects only",
             [any, 1.0],
@@ -137,6 +151,25 @@ fn instructions(scenes: &[SceneTally]) -> impl Iterator<Item = [f64; 2]> {
         of_model.filter_map(|tally| tally.instructions)
     };
     of("exact").zip(of("f64")).map(|(p, q)| [p, q])
+}
+
+fn exact_beside_embree(findings: &Findings) -> impl Iterator<Item = &EmbreeTally> {
+    let all = findings.embree.iter();
+    all.filter(|it| it.caster == embree::EXACT)
+}
+
+/// Embree rounds to `f32`, so it may be wrong about a few rays that pass close to an edge.
+fn agreement(findings: &Findings) -> Option<Target> {
+    let others = findings.embree.iter();
+    let others = others.filter(|it| it.caster != embree::EXACT);
+    let [differ, rays] = sum(others, |it| [it.differ, it.rays]);
+    (rays > 0).then(|| Target {
+        about: "exact casting of meshes: hits that Embree and plain f64 do not see".into(),
+        expected: "≤ 1 of 10000".into(),
+        measured: format!("{differ} of {rays}"),
+        met: differ * 10_000 <= rays,
+        is_time: false,
+    })
 }
 
 /// A promise about the median and the largest of some costs.

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use pinhole_study::embree;
 use serde_json::Value;
 
 fn studied(part: &str) -> (Option<i32>, String, PathBuf) {
@@ -24,6 +25,14 @@ fn each_part_is_measured_and_written() {
         ("scenes", "scenes"),
         ("plans", "plans"),
         ("secondary", "secondary"),
+        (
+            "embree",
+            if embree::IS_INSTALLED {
+                "embree"
+            } else {
+                "notes"
+            },
+        ),
     ] {
         let (code, said, folder) = studied(part);
         let document: Value = serde_json::from_str(&said).expect("one JSON document");

@@ -56,10 +56,6 @@ impl Workspace<'_> {
         }
         top["workspace"]["metadata"]["pinhole"]["default-assignment"] =
             value(&self.assignment.name);
-        if let Some(workspace) = top["workspace"].as_table_mut() {
-            // The excluded folder, `tools/study/peers`, is not handed out.
-            workspace.remove("exclude");
-        }
         top["workspace"]["members"] = list(&members);
         top["workspace"]["default-members"] = list(self.default);
         files.insert("Cargo.toml".into(), top.to_string().into());

@@ -144,6 +144,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "random_scene",
             "secondary",
             "scenes",
+            "embree",
             "classes",
             "plans",
             "summary",

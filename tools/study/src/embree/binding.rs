@@ -1,4 +1,4 @@
-//! Embree, one ray at a time (`rtcIntersect1`).
+//! Calls Embree for one ray at a time (`rtcIntersect1`).
 
 #![expect(
     unsafe_code,
@@ -7,8 +7,9 @@
 
 use std::ffi::{c_float, c_uint, c_void};
 
-use crate::mesh::Mesh;
-use crate::{Cast, Ray};
+use super::Cast;
+use super::mesh::Mesh;
+use crate::shape::Ray;
 
 unsafe extern "C" {
     fn pinhole_embree_build(corners: *const [c_float; 3], triangles: c_uint) -> *mut c_void;
@@ -21,8 +22,8 @@ unsafe extern "C" {
 }
 
 /// Casts with Embree's `RTC_SCENE_FLAG_ROBUST`. The scene is never released.
-pub fn robust(mesh: &Mesh, rays: &[Ray]) -> Cast {
-    let numbers = |ray: &Ray| {
+pub fn robust(mesh: &Mesh, rays: &[Ray<f32>]) -> Cast {
+    let numbers = |ray: &Ray<f32>| {
         let ([a, b, c], [x, y, z]) = (ray.origin.array(), ray.direction.array());
         [a, b, c, x, y, z]
     };

@@ -2,27 +2,20 @@
 
 use std::path::Path;
 
-use pinhole_study::cast::world::vector;
-use pinhole_study::vector::{Vector, around};
+use crate::cast::world::vector;
+use crate::vector::{Vector, around};
 
 /// A triangle mesh.
 pub struct Mesh {
     /// The name in the table.
-    pub name: String,
+    pub name: &'static str,
     /// The positions of each triangle's corners.
     pub triangles: Vec<[[f32; 3]; 3]>,
 }
 
-impl Mesh {
-    fn new(name: &str, triangles: Vec<[[f32; 3]; 3]>) -> Mesh {
-        let name = format!("{name}, {} triangles", triangles.len());
-        Mesh { name, triangles }
-    }
-}
-
 /// One of the assignment's meshes, moved and scaled to fit the unit sphere.
-pub fn of_assignment(name: &str) -> Mesh {
-    let folder = "../../../assignments/ray_casting/scenes/meshes";
+pub fn of_assignment(name: &'static str) -> Mesh {
+    let folder = "../../assignments/ray_casting/scenes/meshes";
     let file = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join(folder)
         .join(format!("{name}.obj"));
@@ -33,10 +26,13 @@ pub fn of_assignment(name: &str) -> Mesh {
     let away = corners().map(|corner| (corner - middle).squared());
     let radius = away.fold(0.0, f64::max).sqrt();
     let fitted = |corner| (vector(corner) - middle).map(|x| (x / radius) as f32);
-    let triangles = read
-        .iter()
-        .map(|face| face.map(|corner| fitted(corner).array()));
-    Mesh::new(name, triangles.collect())
+    let faces = read.iter();
+    Mesh {
+        name,
+        triangles: faces
+            .map(|face| face.map(|corner| fitted(corner).array()))
+            .collect(),
+    }
 }
 
 /// A bumpy sphere: a square of 2n × 2n cells, folded to an octahedron, with two triangles in each
@@ -60,5 +56,6 @@ pub fn ball(n: u32) -> Mesh {
         let [p, q, r] = [corner(i, j), corner(i + 1, j), corner(i, j + 1)];
         triangles.extend([[p, q, r], [q, corner(i + 1, j + 1), r]]);
     }
-    Mesh::new("ball", triangles)
+    let name = "ball";
+    Mesh { name, triangles }
 }
