@@ -1,11 +1,12 @@
 //! Casts whole scenes, with a choice of kernels.
 //!
 //! [`world`] is the scene as a list of parts, [`tree`] is a bounding volume hierarchy over them
-//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, and [`bounds`] tells how
-//! accurate their t must be.
+//! ([`slabs`] tests its boxes), [`model`] chooses the kernels, [`bounds`] tells how accurate their
+//! t must be, and [`refined`] computes it with more digits.
 
 pub mod bounds;
 pub mod model;
+pub mod refined;
 pub mod slabs;
 pub mod tree;
 pub mod world;

@@ -6,7 +6,7 @@ use std::ops::{Add, Mul, Neg, Sub};
 use crate::vector::Vector;
 
 /// `high` + `low`, with |`low`| at most half an ulp of `high`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
 pub struct DoubleDouble {
     /// The sum, rounded.
     pub high: f64,

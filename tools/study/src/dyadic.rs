@@ -203,6 +203,7 @@ impl Mul for Dyadic {
     fn mul(self, other: Dyadic) -> Dyadic {
         let exponent = self.exponent + other.exponent;
         let integer = match (self.integer, other.integer) {
+            (Integer::Short(0), _) | (_, Integer::Short(0)) => Integer::Short(0),
             (Integer::Short(a), Integer::Short(b)) => match a.checked_mul(b) {
                 Some(product) => Integer::Short(product),
                 None => Integer::Long(BigInt::from(a) * b),

@@ -12,6 +12,7 @@ mod adaptive;
 mod camera;
 mod filter;
 pub mod plane;
+pub mod short;
 pub mod sphere;
 pub mod triangle;
 

@@ -6,7 +6,8 @@
 //! 2. [`bounds`](crate::cast::bounds) tells for each part how accurate t must be, so that t and the
 //!    normal are as accurate as requested. The filters' limits are chosen accordingly, once for the
 //!    whole film.
-//! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by [`refined`].
+//! 3. [`casting`] casts by the plan. A hit that a filter leaves open is computed by
+//!    [`refined`](crate::cast::refined).
 //! 4. [`description`](crate::summary::description) describes the plan in words.
 //!
 //! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
@@ -14,7 +15,6 @@
 //! same plan on every machine.
 
 pub mod casting;
-pub mod refined;
 
 use serde::Serialize;
 

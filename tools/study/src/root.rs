@@ -81,6 +81,9 @@ impl Root {
         // The difference times both divisors is a + b √self.radicand + c √other.radicand.
         let times = |p: &Dyadic, q: &Dyadic| p.clone() * q.clone();
         let a = times(&self.rational, &other.divisor) - times(&other.rational, &self.divisor);
+        if self.radicand.sign() == 0 && other.radicand.sign() == 0 {
+            return a.sign().cmp(&0);
+        }
         let signed = |sign: i32, factor: &Dyadic| match sign < 0 {
             true => -factor.clone(),
             false => factor.clone(),

@@ -1,10 +1,11 @@
 //! The choice of kernels for casting a scene, and how to decide which of two hits comes first.
 
+use super::refined::nearer;
 use super::world::{Accurate, Part, Primitive, World, of_each};
 use super::{Found, Tally};
 use crate::kernel::sphere::ScaledRay;
 use crate::kernel::{
-    Camera, Filtered, Kernel, ScaledQuery, Tier, decided, plane, sphere, triangle,
+    Camera, Filtered, Kernel, ScaledQuery, Tier, decided, plane, short, sphere, triangle,
 };
 use crate::root::Root;
 use crate::shape::Ray;
@@ -146,10 +147,18 @@ pub fn exact_hit(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> Root {
 #[cold]
 #[inline(never)]
 fn comes_first_exactly(one: &Part, other: &Part, ray: &Ray<f64>, min_t: f64) -> bool {
-    if one.shape == other.shape {
+    let (p, q) = (&one.shape, &other.shape);
+    if p == q {
         return one.place < other.place;
     }
-    let met = |part: &Part| exact_hit(&part.shape, ray, min_t);
-    let order = met(one).compare(&met(other));
+    let fraction = |shape: &Primitive| of_each!(shape, shape => shape.short_fraction(ray));
+    let fractions = fraction(p).and_then(|one| Some((one, fraction(q)?)));
+    let order = match fractions {
+        Some((one, other)) => short::compare(one, other),
+        None => nearer(p, q, ray).unwrap_or_else(|| {
+            let [one, other] = [p, q].map(|shape| exact_hit(shape, ray, min_t));
+            one.compare(&other)
+        }),
+    };
     order.then(one.place.cmp(&other.place)).is_lt()
 }

@@ -24,6 +24,12 @@ pub trait Filtered: 'static {
     /// The answer by exact arithmetic; `None`, too, if a number is not finite.
     fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root>;
 
+    /// The dividend and the divisor of a hit's t, if `f64` arithmetic rounds neither; see
+    /// [`super::short`].
+    fn short_fraction(&self, _ray: &Ray<f64>) -> Option<[f64; 2]> {
+        None
+    }
+
     /// The exact t of a ray that is known to hit.
     fn exact_hit(&self, ray: &Ray<f64>, min_t: f64) -> Root {
         self.exact(ray, min_t).expect("the ray hits")

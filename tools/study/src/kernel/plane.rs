@@ -12,12 +12,13 @@
 //! adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
 //! filter does not decide.
 
+use super::short::are_short;
 use super::{Filtered, Kernel, Limits, ScaledQuery};
 use crate::dyadic::Dyadic;
 use crate::number::{Real, TINY, U};
 use crate::root::Root;
 use crate::shape::{Plane, Ray};
-use crate::vector::Vector;
+use crate::vector::{Ring, Vector};
 
 /// The implicit form (Marschner & Shirley, §4.4.3), with the origin shifted to the plane's
 /// point first, as in the assignment's reference: t = n·(p − e) / n·d. Far from the world's
@@ -75,23 +76,42 @@ impl Filtered for Plane<f64> {
         if !(is_finite && ray.is_finite() && min_t.is_finite()) {
             return None;
         }
-        let n = self.normal.map(Dyadic::of);
-        let down = n.clone().dot(ray.direction.map(Dyadic::of));
+        let [height, down] = self.exact_fraction(ray);
         if down.sign() == 0 {
             return None;
         }
-        let height = n.dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
         let beyond = height.clone() - Dyadic::of(min_t) * down.clone();
         (beyond.sign() * down.sign() >= 0).then(|| Root::fraction(height, down))
     }
 
-    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
-        let n = self.normal.map(Dyadic::of);
-        let height = n
-            .clone()
-            .dot(self.point.map(Dyadic::of) - ray.origin.map(Dyadic::of));
-        Root::fraction(height, n.dot(ray.direction.map(Dyadic::of)))
+    fn short_fraction(&self, ray: &Ray<f64>) -> Option<[f64; 2]> {
+        let [n, p, e, d] = self.vectors(ray);
+        let is_short = are_short([p, e]) && are_short([d]) && are_short([n]);
+        is_short.then(|| fraction([n, p, e, d]))
     }
+
+    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
+        let [height, down] = self.exact_fraction(ray);
+        Root::fraction(height, down)
+    }
+}
+
+impl Plane<f64> {
+    fn vectors(&self, ray: &Ray<f64>) -> [Vector<f64>; 4] {
+        [self.normal, self.point, ray.origin, ray.direction]
+    }
+
+    fn exact_fraction(&self, ray: &Ray<f64>) -> [Dyadic; 2] {
+        match self.short_fraction(ray) {
+            Some(short) => short.map(Dyadic::of),
+            None => fraction(self.vectors(ray).map(|vector| vector.map(Dyadic::of))),
+        }
+    }
+}
+
+/// n·(p − e) and n·d.
+fn fraction<F: Ring>([n, p, e, d]: [Vector<F>; 4]) -> [F; 2] {
+    [n.clone().dot(p - e), n.dot(d)]
 }
 
 /// The filter, given n·(p − e).

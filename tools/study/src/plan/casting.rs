@@ -6,9 +6,9 @@ use std::hint::black_box;
 use pinhole::{Film, Hit, Projection, Resolution, Scene};
 use rayon::prelude::*;
 
-use super::refined::refined;
 use super::{FINEST, PRICES, price_of_all};
 use crate::cast::model::Exact;
+use crate::cast::refined::refined;
 use crate::cast::world::{Part, Primitive, View, World, vector};
 use crate::cast::{Caster, Found, Tally};
 use crate::kernel::Camera;

@@ -27,11 +27,12 @@
 //! all three certainly have the same sign; their sum, the determinant, then has it too.
 
 use crate::dyadic::Dyadic;
+use crate::kernel::short::are_short;
 use crate::kernel::{Filtered, Limits, ScaledQuery};
 use crate::number::{TINY, U};
 use crate::root::Root;
 use crate::shape::{Ray, Triangle};
-use crate::vector::Vector;
+use crate::vector::{Ring, Vector};
 
 impl Filtered for Triangle<f64> {
     fn anchor(&self) -> Vector<f64> {
@@ -98,21 +99,14 @@ impl Filtered for Triangle<f64> {
         if !(is_finite && ray.is_finite() && min_t.is_finite()) {
             return None;
         }
-        let (e, d) = (ray.origin.map(Dyadic::of), ray.direction.map(Dyadic::of));
-        let [a, b, c] = self
-            .corners
-            .map(|corner| corner.map(Dyadic::of) - e.clone());
-        let b_cross_c = b.clone().cross(c.clone());
-        let u = d.clone().dot(b_cross_c.clone());
-        let v = d.clone().dot(c.cross(a.clone()));
-        let w = d.dot(a.clone().cross(b));
-        let signs = [u.sign(), v.sign(), w.sign()];
-        if signs.contains(&1) && signs.contains(&-1) {
-            return None;
-        }
-        // a·(b × c) = t d·((b − a) × (c − a)), and the latter is u + v + w: 0 if the ray lies in
-        // the triangle's plane or the triangle has no area, neither of which is a hit.
-        let (volume, determinant) = (a.dot(b_cross_c), u + v + w);
+        let vectors = self.vectors(ray);
+        let [volume, determinant] = match self.is_short(ray) {
+            true => if_not_beside(vectors, |x| i32::from(*x > 0.0) - i32::from(*x < 0.0))?
+                .map(Dyadic::of),
+            false => if_not_beside(vectors.map(|vector| vector.map(Dyadic::of)), Dyadic::sign)?,
+        };
+        // The determinant is 0 if the ray lies in the triangle's plane or the triangle has no area,
+        // neither of which is a hit.
         let beyond = volume.clone() - Dyadic::of(min_t) * determinant.clone();
         if determinant.sign() == 0 || beyond.sign() * determinant.sign() < 0 {
             return None;
@@ -120,12 +114,48 @@ impl Filtered for Triangle<f64> {
         Some(Root::fraction(volume, determinant))
     }
 
-    /// n·(a − e) / n·d with n = (b − a) × (c − a). Leaving out on which side of each edge the ray
-    /// passes saves more than half of the multiplications.
-    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
-        let [a, b, c] = self.corners.map(|corner| corner.map(Dyadic::of));
-        let normal = (b - a.clone()).cross(c - a.clone());
-        let height = normal.clone().dot(a - ray.origin.map(Dyadic::of));
-        Root::fraction(height, normal.dot(ray.direction.map(Dyadic::of)))
+    fn short_fraction(&self, ray: &Ray<f64>) -> Option<[f64; 2]> {
+        self.is_short(ray).then(|| fraction(self.vectors(ray)))
     }
+
+    fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
+        let [height, down] = match self.short_fraction(ray) {
+            Some(short) => short.map(Dyadic::of),
+            None => fraction(self.vectors(ray).map(|vector| vector.map(Dyadic::of))),
+        };
+        Root::fraction(height, down)
+    }
+}
+
+impl Triangle<f64> {
+    fn vectors(&self, ray: &Ray<f64>) -> [Vector<f64>; 5] {
+        let [a, b, c] = self.corners;
+        [a, b, c, ray.origin, ray.direction]
+    }
+
+    fn is_short(&self, ray: &Ray<f64>) -> bool {
+        let [a, b, c, e, d] = self.vectors(ray);
+        are_short([a, b, c, e]) && are_short([d])
+    }
+}
+
+/// n·(a − e) and n·d with n = (b − a) × (c − a). Leaving out on which side of each edge the ray
+/// passes saves more than half of the multiplications.
+fn fraction<F: Ring>([a, b, c, e, d]: [Vector<F>; 5]) -> [F; 2] {
+    let normal = (b - a.clone()).cross(c - a.clone());
+    [normal.clone().dot(a - e), normal.dot(d)]
+}
+
+/// t times the determinant, and the determinant, which is the sum of three volumes; `None` if two of
+/// the volumes have opposite signs, so that the ray's line misses.
+fn if_not_beside<F: Ring>([a, b, c, e, d]: [Vector<F>; 5], sign: fn(&F) -> i32) -> Option<[F; 2]> {
+    let [a, b, c] = [a, b, c].map(|corner| corner - e.clone());
+    let b_cross_c = b.clone().cross(c.clone());
+    let u = d.clone().dot(b_cross_c.clone());
+    let v = d.clone().dot(c.cross(a.clone()));
+    let w = d.dot(a.clone().cross(b));
+    let signs = [sign(&u), sign(&v), sign(&w)];
+    let is_beside = signs.contains(&1) && signs.contains(&-1);
+    // a·(b × c) = t d·((b − a) × (c − a)), and the latter is u + v + w.
+    (!is_beside).then(|| [a.dot(b_cross_c), u + v + w])
 }

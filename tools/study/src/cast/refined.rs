@@ -1,9 +1,12 @@
 //! Computes hits more accurately than the filters do: in double-double arithmetic or, if even that
-//! loses too many digits, exactly.
+//! loses too many digits, exactly. Also tells in double-double arithmetic which of two hits is
+//! nearer.
 
-use crate::cast::bounds::are_in_range;
-use crate::cast::model::exact_hit;
-use crate::cast::world::Primitive;
+use std::cmp::Ordering;
+
+use super::bounds::are_in_range;
+use super::model::exact_hit;
+use super::world::Primitive;
 use crate::double_double::DoubleDouble;
 use crate::dyadic::Dyadic;
 use crate::kernel::sphere::{ScaledRay, at_most};
@@ -62,8 +65,8 @@ fn in_double_double(
     near: f64,
 ) -> Option<(f64, Vector<f64>)> {
     let (t, along) = match shape {
-        Primitive::Plane(plane) => of_plane(plane, &scaled.ray),
-        Primitive::Triangle(triangle) => of_triangle(triangle, &scaled.ray),
+        Primitive::Plane(plane) => of_plane(plane, &scaled.ray, U),
+        Primitive::Triangle(triangle) => of_triangle(triangle, &scaled.ray, U),
         Primitive::Sphere(sphere) => of_sphere(sphere, &scaled.ray, scaled.scale(near)),
     }?;
     let t = scaled.unscale(t.high);
@@ -72,13 +75,38 @@ fn in_double_double(
         .then(|| (t, along.rounded().unit()))
 }
 
-/// `p` / `q`; `None` if one of their errors may exceed u/8 times its magnitude.
-fn ratio([p, q]: [DoubleDouble; 2], errors: [f64; 2]) -> Option<DoubleDouble> {
-    let is_good = |x: DoubleDouble, error: f64| U * x.high.abs() > 8.0 * error;
+/// The accuracy with which [`nearer`] needs t: 2⁻⁷⁰.
+const TO_COMPARE: f64 = 8.5e-22;
+
+/// Which of two planes or triangles a ray meets at the smaller t; `None` if double-double arithmetic
+/// leaves that open. It meets both.
+///
+/// The errors of a volume are at most an eighth of [`TO_COMPARE`], and the division adds a few u².
+/// So the relative error of each t is below a third of [`TO_COMPARE`].
+pub fn nearer(one: &Primitive, other: &Primitive, ray: &Ray<f64>) -> Option<Ordering> {
+    let ScaledRay { ray, .. } = ScaledRay::new(ray);
+    let t = |shape: &Primitive| match shape {
+        Primitive::Plane(plane) => Some(of_plane(plane, &ray, TO_COMPARE)?.0),
+        Primitive::Triangle(triangle) => Some(of_triangle(triangle, &ray, TO_COMPARE)?.0),
+        Primitive::Sphere(_) => None,
+    };
+    let (one, other) = (t(one)?, t(other)?);
+    let (apart, sizes) = ((one - other).high, one.high.abs() + other.high.abs());
+    let order = apart.partial_cmp(&0.0)?;
+    (apart.abs() > TO_COMPARE * sizes).then_some(order)
+}
+
+/// `p` / `q`; `None` if one of their errors may exceed an eighth of `accuracy` times its magnitude.
+fn ratio([p, q]: [DoubleDouble; 2], errors: [f64; 2], accuracy: f64) -> Option<DoubleDouble> {
+    let is_good = |x: DoubleDouble, error: f64| accuracy * x.high.abs() > 8.0 * error;
     (is_good(p, errors[0]) && is_good(q, errors[1])).then(|| p.over(q))
 }
 
-fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
+fn of_plane(
+    plane: &Plane<f64>,
+    ray: &Ray<f64>,
+    accuracy: f64,
+) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
     let (n, w) = (
         plane.normal.map(DoubleDouble::from),
         Vector::between(plane.point, ray.origin),
@@ -89,7 +117,8 @@ fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, Vector<
     }
     let error = |size: f64| 128.0 * U * U * sizes[0] * size;
     let volumes = [n.dot(w), n.dot(ray.direction.map(DoubleDouble::from))];
-    Some((ratio(volumes, [error(sizes[1]), error(2.0)])?, n))
+    let errors = [error(sizes[1]), error(2.0)];
+    Some((ratio(volumes, errors, accuracy)?, n))
 }
 
 /// n = e₁ × e₂ has components up to 2M², with an error of at most 32u² M². So the error of n·d is
@@ -97,6 +126,7 @@ fn of_plane(plane: &Plane<f64>, ray: &Ray<f64>) -> Option<(DoubleDouble, Vector<
 fn of_triangle(
     triangle: &Triangle<f64>,
     ray: &Ray<f64>,
+    accuracy: f64,
 ) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
     let [a, b, c] = triangle.corners;
     let edges = [Vector::between(b, a), Vector::between(c, a)];
@@ -114,7 +144,7 @@ fn of_triangle(
     let n = edges[0].cross(edges[1]);
     let error = 1024.0 * U * U * sizes[0] * sizes[0];
     let volumes = [n.dot(away), n.dot(ray.direction.map(DoubleDouble::from))];
-    let t = ratio(volumes, [error * sizes[1], error])?;
+    let t = ratio(volumes, [error * sizes[1], error], accuracy)?;
     (U * n.rounded().largest() > 8.0 * error).then_some((t, n))
 }
 

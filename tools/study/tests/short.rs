@@ -1,0 +1,103 @@
+//! Tests that exact decisions about numbers with few bits, which `f64` arithmetic makes without
+//! rounding, are the same as those with long integers.
+
+use pinhole_study::kernel::Filtered;
+use pinhole_study::kernel::short::are_short;
+use pinhole_study::random::Random;
+use pinhole_study::root::rounded;
+use pinhole_study::shape::{Plane, Ray, Triangle};
+use pinhole_study::vector::Vector;
+
+/// A vector of integers with at most this many bits, the largest and the smallest of which are
+/// likely.
+fn integers(random: &mut Random, bits: usize) -> Vector<f64> {
+    let most = 2f64.powi(bits as i32) - 1.0;
+    let mut number = || match random.below(8) {
+        0 => 0.0,
+        1 => 1.0,
+        2 => -most,
+        3 => most,
+        _ => random.within(-most, most).round(),
+    };
+    Vector::new(number(), number(), number())
+}
+
+/// Makes all lengths this many times as long. No decision and no t changes. If the factor is 2²⁰⁰,
+/// the numbers are out of the range of short ones, so that long integers decide.
+fn times(vector: Vector<f64>, power: i32) -> Vector<f64> {
+    vector * 2f64.powi(power)
+}
+
+/// t by the exact decision of a shape, first as it is and then with long integers, and whether `f64`
+/// was enough for the first. `min_t` is 0, or that t.
+#[track_caller]
+fn check<S: Filtered>(shape: impl Fn(i32) -> S, ray: &Ray<f64>) -> bool {
+    let long = Ray {
+        origin: times(ray.origin, 200),
+        direction: times(ray.direction, 200),
+    };
+    let expected = rounded(shape(200).exact(&long, 0.0));
+    for min_t in [0.0, expected.unwrap_or(1.0)] {
+        let [t, expected] =
+            [shape(0).exact(ray, min_t), shape(200).exact(&long, min_t)].map(rounded);
+        assert_eq!(t, expected, "{ray:?} from {min_t:e} on");
+    }
+    if let Some(t) = expected {
+        assert_eq!(shape(0).exact_hit(ray, 0.0).rounded(), t, "{ray:?}");
+    }
+    expected.is_some()
+}
+
+#[test]
+fn decisions_on_short_numbers_are_those_of_long_integers() {
+    let mut random = Random::new(4, "short");
+    let [mut hits, mut short] = [0; 2];
+    for round in 0..40_000 {
+        // Numbers with 16 bits or more are not short, so both sides of the limit are tested.
+        let (bits, own) = (1 + round % 18, 1 + random.below(18));
+        let unit = [random.below(200) as i32 - 100, 0][random.below(2)];
+        let [a, b, c, e] = [0; 4].map(|_| times(integers(&mut random, bits), unit));
+        let n = integers(&mut random, own);
+        // Aim at a corner, at the middle of an edge, inside the triangle, or anywhere.
+        let direction = match random.below(5) {
+            0 => a - e,
+            1 => a + b - e * 2.0,
+            2 => a + b + c - e * 3.0,
+            3 => a * 2.0 + b - e * 3.0,
+            _ => integers(&mut random, own),
+        };
+        let ray = Ray {
+            origin: e,
+            direction,
+        };
+        short += usize::from(are_short([a, b, c, e]) && are_short([direction]));
+        let triangle = |power| Triangle {
+            corners: [a, b, c].map(|corner| times(corner, power)),
+        };
+        hits += usize::from(check(triangle, &ray));
+        let plane = |power| Plane {
+            point: times(a, power),
+            normal: n,
+        };
+        hits += usize::from(check(plane, &ray));
+    }
+    assert!(hits > 20_000 && short > 20_000, "{hits} {short}");
+}
+
+#[test]
+fn numbers_are_short_if_they_have_fifteen_bits() {
+    let unit = 2f64.powi(-150);
+    let is_short = |x: f64, y: f64| are_short([Vector::new(x, 0.0, -y)]);
+    for unit in [1.0, unit * 64.0, 1.0 / unit / 131072.0] {
+        assert!(is_short(32767.0 * unit, unit));
+        assert!(!is_short(32768.0 * unit, unit));
+        assert!(!is_short(32767.5 * unit, 0.0));
+    }
+    assert!(are_short([Vector::default()]));
+    for x in [f64::NAN, f64::INFINITY, 1e-300, 1e300, 5e-324, 0.1] {
+        assert!(
+            !is_short(x, 1.0) && !is_short(1.0, x) && !is_short(x, 0.0),
+            "{x:e}"
+        );
+    }
+}
