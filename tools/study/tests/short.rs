@@ -2,7 +2,7 @@
 //! rounding, are the same as those with long integers.
 
 use pinhole_study::kernel::Filtered;
-use pinhole_study::kernel::short::are_short;
+use pinhole_study::kernel::short::{are_short, compare};
 use pinhole_study::random::Random;
 use pinhole_study::root::rounded;
 use pinhole_study::shape::{Plane, Ray, Triangle};
@@ -82,6 +82,43 @@ fn decisions_on_short_numbers_are_those_of_long_integers() {
         hits += usize::from(check(plane, &ray));
     }
     assert!(hits > 20_000 && short > 20_000, "{hits} {short}");
+}
+
+#[test]
+fn order_of_short_fractions_is_that_of_long_ones() {
+    let mut random = Random::new(4, "order");
+    let mut nearly_equal = 0;
+    for _ in 0..20_000 {
+        let bits = 1 + random.below(14);
+        let [e, direction] = [0; 2].map(|_| integers(&mut random, bits));
+        // The second plane is close to the first, or the same.
+        let [n, p] = [0; 2].map(|_| integers(&mut random, bits));
+        let near = Vector::new(random.below(2) as f64, 0.0, 0.0);
+        let planes = [(n, p), ((n + near) * -1.0, p)];
+        let at = |power| {
+            let [origin, direction] = [e, direction].map(|vector| times(vector, power));
+            planes.map(|(normal, point)| {
+                let point = times(point, power);
+                (Plane { point, normal }, Ray { origin, direction })
+            })
+        };
+        let fractions = at(0).map(|(plane, ray)| plane.short_fraction(&ray));
+        let [Some(one), Some(other)] = fractions else {
+            continue;
+        };
+        if one[1] == 0.0 || other[1] == 0.0 {
+            continue;
+        }
+        let [first, second] = at(200).map(|(plane, ray)| plane.exact_hit(&ray, 0.0));
+        assert_eq!(
+            compare(one, other),
+            first.compare(&second),
+            "{one:?} {other:?}"
+        );
+        let [t, u] = [one, other].map(|[p, q]| p / q);
+        nearly_equal += usize::from(t != u && (t - u).abs() < 1e-3 * t.abs());
+    }
+    assert!(nearly_equal > 1_000, "{nearly_equal}");
 }
 
 #[test]
