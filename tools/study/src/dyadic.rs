@@ -5,7 +5,7 @@
 //! Long integers are num-bigint's. The oracle uses dashu's rationals instead, so the two share
 //! no code. Expansions (Shewchuk, *Discrete Comput. Geom.* 18, 1997) would be faster, but they
 //! are exact only while no partial product underflows, and this package studies extreme
-//! numbers.
+//! numbers. Numbers with few bits do not need them: see [`short`](crate::kernel::short).
 
 use std::ops::{Add, Mul, Neg, Sub};
 
