@@ -20,6 +20,8 @@ pub enum Camera {
         scaled: ScaledRay<f64>,
         /// No origin is 2^`exponent` or more from the centre in any component.
         exponent: i32,
+        /// 2^−`exponent`.
+        scale: f64,
     },
 }
 
@@ -31,17 +33,18 @@ impl Camera {
     pub fn orthographic(rays: &[Ray<f64>], center: Vector<f64>) -> Camera {
         let away = rays.iter().map(|ray| (ray.origin - center).largest());
         let away = away.fold(0.0, f64::max);
+        // A film of a single pixel has one origin.
+        let exponent = match away > 0.0 {
+            true => (exponent(away) + 1).max(-1000),
+            false => -1000,
+        };
         Camera::Orthographic {
             scaled: ScaledRay::new(&Ray {
                 origin: center,
                 ..rays[0]
             }),
-            // A film of a single pixel has one origin.
-            exponent: if away > 0.0 {
-                exponent(away) + 1
-            } else {
-                -1000
-            },
+            exponent,
+            scale: 1f64.times_power_of_two(-exponent),
         }
     }
 
@@ -58,9 +61,9 @@ impl Camera {
     fn origins(&self) -> (Vector<f64>, f64) {
         match *self {
             Camera::Perspective { eye } => (eye, 0.0),
-            Camera::Orthographic { scaled, exponent } => {
-                (scaled.ray.origin, 4f64.times_power_of_two(exponent))
-            }
+            Camera::Orthographic {
+                scaled, exponent, ..
+            } => (scaled.ray.origin, 4f64.times_power_of_two(exponent)),
         }
     }
 
@@ -91,9 +94,9 @@ impl Camera {
                 let scaled = ScaledRay::new(ray);
                 (scaled, scaled.ray.direction)
             }
-            Some(Camera::Orthographic { scaled, exponent }) => {
+            Some(Camera::Orthographic { scaled, scale, .. }) => {
                 let (origin, direction) = (ray.origin, scaled.ray.direction);
-                let q = (origin - scaled.ray.origin).map(|x| x.times_power_of_two(-exponent));
+                let q = (origin - scaled.ray.origin) * *scale;
                 let ray = Ray { origin, direction };
                 (ScaledRay { ray, ..*scaled }, q)
             }

@@ -71,7 +71,9 @@ impl TriangleFromCamera {
                 determinant: linear(n),
                 volume: constant(n.dot(a - eye)),
             },
-            Camera::Orthographic { scaled, exponent } => {
+            Camera::Orthographic {
+                scaled, exponent, ..
+            } => {
                 let Ray { origin, direction } = scaled.ray;
                 TriangleFromCamera {
                     sides: sides
