@@ -10,13 +10,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use pinhole::job::Job;
 use pinhole::judge::{Refusal, judge};
 use pinhole::kind::{Questions, ShapeQuestion};
-use pinhole::{Ray, Shape};
+use pinhole::{Film, Ray, Shape};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::OWN;
 use super::file::Entry;
+use super::{Asked, OWN};
 use crate::assignment::{Assignment, Task};
 use crate::checkout::Checkout;
 use crate::diagnosis::fingerprint::MOST_SAMPLED;
@@ -111,13 +111,9 @@ impl OwnQuestions {
             let problem = refusal.problem.replace(&file, "the examples");
             return Err(Error::input(problem, remedy));
         }
-        let mut film = goldens.probe(task, OWN)?;
-        // Mitsuba's questions are rounded to single precision, and it computes in single precision.
-        // That is too little for some questions, so our own solution answers the questions as they
-        // were written.
-        let written = questions.iter().cycle().take(film.job.len()).cloned();
-        film.job = Job::Ask(Questions::Intersect(written.collect()));
+        let film = goldens.probe(task, OWN)?;
         progress.say("the mistakes");
+        // Mitsuba computes in single precision, which is too little for a tiny shape far away.
         let reference = build(&assignment.reference(), assignment, checkout)?;
         let place = match cast(&reference, &film)?.map(|own| judge(&film.golden, &own)) {
             Some(Ok(verdict)) => verdict.failing.first().copied(),
@@ -127,7 +123,21 @@ impl OwnQuestions {
                 return Err(Error::environment(problem, "run: cargo pinhole validate"));
             }
         };
-        if let Some(place) = place {
+        // Even the question is rounded to single precision. So our own solution also answers the
+        // questions as they were written, and an example is judged only if both answers agree.
+        let mut written = goldens.probe(task, OWN)?;
+        let all = questions.iter().cycle().take(film.job.len()).cloned();
+        written.job = Job::Ask(Questions::Intersect(all.collect()));
+        let asked = Asked::read(goldens, task, OWN)?;
+        let differs = |place: &usize, own: &Film| {
+            let own =
+                |channel: usize| own.channel(&asked.channels[channel]).unwrap_or_default()[*place];
+            let golden = asked.right_answer(*place);
+            !asked.contradictions(*place, &golden, &own).is_empty()
+        };
+        let written = cast(&reference, &written)?;
+        let rounded = written.and_then(|own| asked.places.iter().find(|it| differs(it, &own)));
+        if let Some(place) = place.or(rounded.copied()) {
             let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
             let remedy = "use numbers of ordinary size with fewer digits";
             return Err(Error::input(problem, remedy));
