@@ -49,24 +49,35 @@ pub fn is_ours(path: &Path) -> bool {
     is_closed(path, 0o022)
 }
 
-/// Whether no other user can replace a file: it and each folder around it belong to us or root, and
-/// nobody else can change them. Others may add files of their own to a folder with the sticky bit.
-#[cfg(unix)]
+/// Whether no other user can replace a file: it and each folder around it belong to us, root or the
+/// owner of `/`, and nobody else can change them. Others may add files of their own to a folder with
+/// the sticky bit. (In a user namespace, root's files may seem to be `nobody`'s.)
+#[cfg_attr(not(unix), expect(unused_variables))]
 pub fn is_irreplaceable(path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt;
-    let ours = [0, rustix::process::geteuid().as_raw()];
-    let is_sticky = |it: &Path| {
-        fs::metadata(it)
-            .is_ok_and(|it| it.is_dir() && it.mode() & 0o1000 != 0 && ours.contains(&it.uid()))
-    };
-    path.ancestors().all(|it| is_ours(it) || is_sticky(it))
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::MetadataExt;
+        let top = fs::metadata("/").map_or(0, |it| it.uid());
+        let ours = [0, rustix::process::geteuid().as_raw(), top];
+        let is_sticky = |it: &fs::Metadata| it.is_dir() && it.mode() & 0o1000 != 0;
+        let is_safe = |it: fs::Metadata| {
+            ours.contains(&it.uid()) && (it.mode() & 0o022 == 0 || is_sticky(&it))
+        };
+        path.ancestors()
+            .all(|it| fs::metadata(it).is_ok_and(is_safe))
+    }
+    #[cfg(not(unix))]
+    true
 }
 
-/// Whether only we and root can reach a folder, because it or a folder around it is private. False
-/// if it isn't there.
+/// Whether only we and root can reach a folder, because it or a folder around it is private, and no
+/// other user can replace that one. False if it isn't there.
 pub fn is_hidden(folder: &Path) -> bool {
     let folder = folder.canonicalize();
-    folder.is_ok_and(|it| it.ancestors().any(is_private))
+    folder.is_ok_and(|it| {
+        let mut around = it.ancestors();
+        around.any(|it| is_private(it) && is_irreplaceable(it))
+    })
 }
 
 /// Whether nobody but the owner has any of these permissions.
@@ -110,5 +121,9 @@ fn nobody_else_reaches_a_readable_folder_in_a_private_one() {
     if rustix::process::geteuid().is_root() {
         std::os::unix::fs::chown(private.path(), Some(12345), None).expect("root may");
         assert!(!is_hidden(&inside));
+        // Its owner may rename a folder of ours.
+        make_private(&inside).expect("it is ours");
+        allow(private.path(), 0o755).expect("root may");
+        assert!(is_private(&inside) && !is_hidden(&inside));
     }
 }

@@ -73,9 +73,9 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     for folder in golden.iter().chain(&fresh) {
         if !is_hidden(folder) {
             let name = folder.display().to_string();
-            let problem = format!("{name} belongs to another user, or others can read it");
+            let problem = format!("other users can read or replace {name}");
             let remedy = format!(
-                "chmod go-rwx {0}, and chown it if it isn't yours",
+                "move it to a folder of yours, and chmod go-rwx {0}",
                 in_shell(&name)
             );
             // An instructor's own scenes need not be secret.

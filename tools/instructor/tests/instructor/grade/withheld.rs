@@ -289,11 +289,11 @@ fn changed_goldens_are_refused_for_grading() {
         .grade("out", &["--golden", &mine])
         .expect_code(2)
         .expect_err("inside_a_sphere.exr has changed since the goldens were made")
-        .expect_err("or others can read it");
+        .expect_err("other users can read or replace");
     let (ada, out) = (class.path("class/ada"), class.path("out"));
     on_small_assignment(&["grade", &ada, "--out", &out, "--fresh", &mine])
         .expect_code(2)
-        .expect_err("or others can read it");
+        .expect_err("other users can read or replace");
     // A link that leads nowhere yet: whoever made it could point it at something later.
     let link = class.path("link");
     std::os::unix::fs::symlink(class.path("absent"), &link).expect("there is room");
