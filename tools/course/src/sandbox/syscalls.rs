@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 
 use libc::{
     CLONE_NEWCGROUP, CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER,
-    CLONE_NEWUTS, CLONE_THREAD,
+    CLONE_NEWUTS, CLONE_PIDFD, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::Dword;
 use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
@@ -97,7 +97,7 @@ const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
 /// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
 /// written. It could also use the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 24] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 25] = [
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
@@ -126,6 +126,8 @@ const NEVER_WHILE_ANSWERING: [libc::c_long; 24] = [
     libc::SYS_fadvise64,
     // All submissions have the C library's file open, and each would notice another one's lock.
     libc::SYS_flock,
+    // Gives a cookie, which counts the processes that have asked for one.
+    libc::SYS_getsockopt,
     // Its inode's number tells how many processes and threads the machine has started.
     libc::SYS_pidfd_open,
 ];
@@ -189,6 +191,8 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
     if purpose == Purpose::Answer {
         rules.extend(NEVER_WHILE_ANSWERING.map(|call| (call, Vec::new())));
         clones.push(with_flag(0, CLONE_THREAD, false)?);
+        // The same as `pidfd_open`.
+        clones.push(with_flag(0, CLONE_PIDFD, true)?);
         let making = |argument| -> Result<Vec<SeccompRule>, _> {
             let rules = MAKES_FILE.into_iter();
             rules.map(|flag| with_flag(argument, flag, true)).collect()

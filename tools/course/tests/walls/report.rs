@@ -54,7 +54,8 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
         + &format!(
             "environment [\"{environment}\"]\n\
              unknown calls [\"ptrace\", \"clone a namespace\", \"rules\", \"clone a process\", \
-             \"socket\", \"make a folder\", \"openat a new file\", \
+             \"clone a watched thread\", \"socket\", \"ask a socket\", \"make a folder\", \
+             \"openat a new file\", \
              \"openat a file without a name\", \"open a new file\", \
              \"open a file without a name\", \"share memory\", \"lock\", \
              \"store a number\", \"watch a process\", \"outlive the parent\"]\n"
