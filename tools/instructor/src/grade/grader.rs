@@ -22,7 +22,7 @@ use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::{Attempt, Compiler};
 use pinhole_course::error::Result;
-use pinhole_course::examine::{Begun, Examiner, Selection};
+use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::examples::add_handed_in;
 use pinhole_course::goldens::Goldens;
 use pinhole_course::outcome::{Examination, Outcome, Status};
@@ -169,31 +169,27 @@ impl Grader<'_> {
         let everything = Selection::default();
         let public = examiner(self.goldens, &self.withheld.scenes);
         let public = public.begin(submission, &everything)?;
-        // Ask fresh questions about tasks before anything withheld. See `Examiner::begin`.
-        let fresh = self.fresh.map(|goldens| {
-            let scenes = goldens.scenes.iter().map(|scene| scene.name.clone());
-            let selection = Selection {
-                tasks: public.promising_tasks(),
-                scenes: scenes.collect(),
-            };
-            (goldens, selection)
-        });
-        let fresh = fresh.as_ref().map(|(goldens, selection)| {
-            // Nobody has fresh scenes.
-            let examiner = examiner(goldens, &selection.scenes);
-            (examiner, selection)
-        });
-        let fresh = fresh
-            .as_ref()
-            .map(|(examiner, selection)| examiner.begin(submission, selection));
-        let fresh = fresh.transpose()?;
-        let mut examination = public.finish()?;
-        let mut scenes = examination.outcome.scenes.iter();
-        let fresh = match scenes.any(|scene| scene.outcome.passes()) {
-            true => fresh.map(Begun::finish),
-            false => fresh.map(Begun::without_scenes).map(Begun::finish),
+        let (mut examination, fresh) = match self.fresh {
+            None => (public.finish()?, None),
+            Some(goldens) => {
+                let scenes = goldens.scenes.iter().map(|scene| scene.name.clone());
+                let selection = Selection {
+                    tasks: public.promising_tasks(),
+                    scenes: scenes.collect(),
+                };
+                // Nobody has fresh scenes.
+                let fresh = examiner(goldens, &selection.scenes);
+                // Ask fresh questions about tasks before anything withheld. See `begin`.
+                let fresh = fresh.begin(submission, &selection)?;
+                let examination = public.finish()?;
+                let mut scenes = examination.outcome.scenes.iter();
+                let fresh = match scenes.any(|scene| scene.outcome.passes()) {
+                    true => fresh.finish()?,
+                    false => fresh.without_scenes().finish()?,
+                };
+                (examination, Some(fresh))
+            }
         };
-        let fresh = fresh.transpose()?;
         let outcome = &mut examination.outcome;
         add_handed_in(outcome, submission, self.assignment, self.checkout, false)?;
         let asked = start.elapsed();
