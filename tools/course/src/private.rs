@@ -5,12 +5,16 @@ use std::fs::{self, File};
 use std::io;
 use std::path::Path;
 
-/// A new file, or an old one that is emptied, that nobody else on the machine can read.
+/// A new file, or an old one that is emptied, that nobody else on the machine can read. An error if
+/// it is a link, which another user may have put there.
 pub fn private_file(path: &Path) -> io::Result<File> {
     let mut options = File::options();
     options.write(true).create(true).truncate(true);
     #[cfg(unix)]
-    std::os::unix::fs::OpenOptionsExt::mode(&mut options, 0o600);
+    {
+        use std::os::unix::fs::OpenOptionsExt;
+        options.mode(0o600).custom_flags(libc::O_NOFOLLOW);
+    }
     let file = options.open(path)?;
     // An old file keeps its mode.
     #[cfg(unix)]
@@ -49,34 +53,33 @@ pub fn is_ours(path: &Path) -> bool {
     is_closed(path, 0o022)
 }
 
-/// Whether no other user can replace a file: it and each folder around it belong to us, root or the
-/// owner of `/`, and nobody else can change them. Others may add files of their own to a folder with
-/// the sticky bit. (In a user namespace, root's files may seem to be `nobody`'s.)
+/// Whether no other user can replace a file: it and each folder around it belong to us or root, and
+/// nobody else can change them. Others may add files of their own to a folder with the sticky bit.
 #[cfg_attr(not(unix), expect(unused_variables))]
 pub fn is_irreplaceable(path: &Path) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        let top = fs::metadata("/").map_or(0, |it| it.uid());
-        let ours = [0, rustix::process::geteuid().as_raw(), top];
-        let is_sticky = |it: &fs::Metadata| it.is_dir() && it.mode() & 0o1000 != 0;
-        let is_safe = |it: fs::Metadata| {
-            ours.contains(&it.uid()) && (it.mode() & 0o022 == 0 || is_sticky(&it))
+        let ours = [0, rustix::process::geteuid().as_raw()];
+        let is_sticky = |it: &Path| {
+            fs::metadata(it)
+                .is_ok_and(|it| it.is_dir() && it.mode() & 0o1000 != 0 && ours.contains(&it.uid()))
         };
-        path.ancestors()
-            .all(|it| fs::metadata(it).is_ok_and(is_safe))
+        path.ancestors().all(|it| is_ours(it) || is_sticky(it))
     }
     #[cfg(not(unix))]
     true
 }
 
 /// Whether only we and root can reach a folder, because it or a folder around it is private, and no
-/// other user can replace that one. False if it isn't there.
+/// other user can replace that one. False if it isn't there. In a user namespace that hides who owns
+/// `/`, nobody can tell who could replace a folder, so that is not asked.
 pub fn is_hidden(folder: &Path) -> bool {
     let folder = folder.canonicalize();
+    let shows_owners = is_ours(Path::new("/"));
     folder.is_ok_and(|it| {
         let mut around = it.ancestors();
-        around.any(|it| is_private(it) && is_irreplaceable(it))
+        around.any(|it| is_private(it) && (!shows_owners || is_irreplaceable(it)))
     })
 }
 
@@ -105,6 +108,17 @@ pub fn allow(path: &Path, mode: u32) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(all(test, unix))]
+#[test]
+fn no_private_file_is_written_through_a_link() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let [victim, link] = ["victim", "link"].map(|name| folder.path().join(name));
+    fs::write(&victim, "kept").expect("there is room");
+    std::os::unix::fs::symlink(&victim, &link).expect("there is room");
+    assert!(private_file(&link).is_err());
+    assert_eq!(fs::read_to_string(&victim).expect("it is there"), "kept");
 }
 
 #[cfg(all(test, unix))]

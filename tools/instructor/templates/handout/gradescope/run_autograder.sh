@@ -18,6 +18,9 @@ rm -rf "$class"
 mkdir -m 700 "$class"
 cp -a /autograder/submission "$class/submission"
 
+# Nobody else may replace the folder of fresh questions.
+chown root:root /autograder /autograder/source
+chmod go-w /autograder /autograder/source
 fresh=(--no-fresh)
 if [ -d fresh ]; then fresh=(--fresh fresh); fi
 target/release/pinhole-instructor grade "$class" --out "$graded" \
