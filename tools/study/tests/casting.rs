@@ -232,3 +232,19 @@ fn judge_handles_a_direction_whose_square_underflows() {
     assert!(first(&world, &ray, 0.0).is_some());
     assert!(sight(&world.parts, &ray, 0.0).is_some());
 }
+
+/// Enough triangles that there are boxes.
+#[test]
+fn ray_without_a_direction_hits_nothing() {
+    let triangles = (0..100).map(|k| {
+        let corner = |x: f64, y: f64| Vector::new(x, y, f64::from(k));
+        let corners = [corner(0.0, 0.0), corner(1.0, 0.0), corner(0.0, 1.0)];
+        Primitive::Triangle(Triangle { corners })
+    });
+    let world = world_of(triangles);
+    for origin in [Vector::new(0.1, 0.2, 50.5), Vector::new(100.0, 0.0, 1e6)] {
+        let direction = Vector::default();
+        let seen = first(&world, &Ray { origin, direction }, 0.0);
+        assert_eq!(seen, None);
+    }
+}

@@ -54,6 +54,11 @@ fn scenes_that_once_broke_plans_keep_their_promise() {
 }
 
 #[test]
+fn boxes_in_which_the_eye_lies_are_entered_first() {
+    keeps_its_promise(&hostile("box_at_eye"), &[EXACT_FILM]);
+}
+
+#[test]
 fn scene_with_a_shape_without_kernel_is_rejected() {
     let error = read(&file("disk")).expect_err("there is no kernel for a disk");
     let problem = "shape not supported: object 0 is a disk";

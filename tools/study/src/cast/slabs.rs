@@ -110,11 +110,12 @@ pub struct Slabs {
 }
 
 impl Slabs {
-    /// Prepares a ray. `None` if it is not finite or starts too far away for the test.
+    /// Prepares a ray. `None` if it is not finite, has no direction, or starts too far away for the
+    /// test.
     #[inline(always)]
     pub fn of(frame: &Frame, scaled: &ScaledRay<f64>, min_t: f64) -> Option<Slabs> {
         let (mut origin, d) = (frame.local(scaled.ray.origin), scaled.ray.direction);
-        if !(d.largest() < 2.0) {
+        if !(1.0..2.0).contains(&d.largest()) {
             return None;
         }
         let away = origin.largest();

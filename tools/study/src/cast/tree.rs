@@ -192,7 +192,9 @@ struct TraversalStack {
 impl TraversalStack {
     #[inline(always)]
     fn stack_entry(entry: f32, inside: u32) -> u64 {
-        u64::from(entry.max(0.0).to_bits()) << 32 | u64::from(inside)
+        // `f32::max` might give −0, whose bits sort after all others.
+        let entry = if entry > 0.0 { entry } else { 0.0 };
+        u64::from(entry.to_bits()) << 32 | u64::from(inside)
     }
 
     #[inline(always)]
