@@ -141,7 +141,7 @@ impl Examiner<'_> {
 
     /// Asks everything that is selected and not withheld. [`Begun::finish`] asks the rest.
     ///
-    /// Ask about everything withheld last. Otherwise, code that has seen it could make its process
+    /// Everything withheld is asked last. Otherwise, code that has seen it could make its process
     /// end at a certain time, from which a later process could tell what it has seen.
     ///
     /// # Errors
@@ -396,7 +396,7 @@ impl Examiner<'_> {
 
 impl Begun<'_> {
     /// The tasks that may earn a point: those with a group that passes, or is not asked yet. All
-    /// tasks if a scene passes, because scenes may need them.
+    /// tasks if a scene passes, because fresh scenes that need a late task are not cast.
     pub fn promising_tasks(&self) -> Vec<String> {
         let scene_passes = self.scenes.iter().any(|it| it.0.outcome.passes());
         let promising = self.tasks.iter().filter(|(task, outcome)| {

@@ -136,7 +136,11 @@ impl OwnQuestions {
             !asked.contradictions(*place, &golden, &own).is_empty()
         };
         let written = cast(&reference, &written)?;
-        let rounded = written.and_then(|own| asked.places.iter().find(|it| differs(it, &own)));
+        let places = &asked.places;
+        let rounded = match &written {
+            Some(own) => places.iter().find(|place| differs(place, own)),
+            None => places.first(),
+        };
         if let Some(place) = place.or(rounded.copied()) {
             let problem = format!("Mitsuba's precision is too low for {OWN} {place}");
             let remedy = "use numbers of ordinary size with fewer digits";

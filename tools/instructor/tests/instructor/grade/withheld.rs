@@ -294,7 +294,7 @@ fn changed_goldens_are_refused_for_grading() {
     on_small_assignment(&["grade", &ada, "--out", &out, "--fresh", &mine])
         .expect_code(2)
         .expect_err("other users can read or replace");
-    // A link that leads nowhere yet: whoever made it could point it at something later.
+    // Whoever made a link that leads nowhere could make it lead to other goldens later.
     let link = class.path("link");
     std::os::unix::fs::symlink(class.path("absent"), &link).expect("there is room");
     for option in ["--fresh", "--golden"] {
