@@ -93,7 +93,7 @@ def behind_each_other(rng):
 
 def teapot(rng):
     """A mesh of 992 triangles."""
-    return through(rng, mesh("teapot"), largest=4)
+    return through(rng, mesh("teapot"), largest=12)
 
 
 GROUPS = {

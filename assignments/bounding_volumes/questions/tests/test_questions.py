@@ -127,6 +127,14 @@ def test_a_triangle_that_is_met_lies_in_every_box_above_it(group):
             assert above and all(entry(node) <= t <= node.far for node in above)
 
 
+def test_the_shape_of_a_tree_says_nothing_about_the_ray():
+    shapes = {
+        tuple((node.second, len(node.members)) for node in question.nodes)
+        for question, *_ in drawn("nearest_hit", "teapot", 24)
+    }
+    assert len(shapes) == 1
+
+
 def entry(node):
     """Where a ray enters a box. A flat one is entered slightly late, as rounding may cause."""
     is_flat = node.near == node.far
