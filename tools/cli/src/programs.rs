@@ -20,6 +20,8 @@ struct Program {
     package: &'static str,
     folder: &'static str,
     commands: &'static [&'static str],
+    /// Whether it is built for this processor, rather than for any of the same family.
+    uses_vectors: bool,
 }
 
 const PROGRAMS: [Program; 3] = [
@@ -27,16 +29,19 @@ const PROGRAMS: [Program; 3] = [
         package: "pinhole-instructor",
         folder: "tools/instructor",
         commands: &["golden", "grade", "dispute", "merge", "handout", "validate"],
+        uses_vectors: false,
     },
     Program {
         package: "pinhole-study",
         folder: "tools/study",
         commands: &["study", "plan"],
+        uses_vectors: true,
     },
     Program {
         package: "pinhole-book",
         folder: "tools/book",
         commands: &["book"],
+        uses_vectors: false,
     },
 ];
 
@@ -103,6 +108,11 @@ impl Program {
             .arg(manifest)
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit());
+        if self.target() == VECTOR_TARGET {
+            // Settings in `RUSTFLAGS`, if there are any, take the place of these.
+            let flags = format!("build.rustflags=[\"-Ctarget-cpu={VECTOR_LEVEL}\"]");
+            cargo.args(["--target-dir", VECTOR_TARGET, "--config", &flags]);
+        }
         let what = format!("building {}", self.package);
         let built = if self.is_built(&checkout) {
             cargo.arg("--quiet");
@@ -133,9 +143,42 @@ impl Program {
 
     fn is_built(&self, checkout: &Checkout) -> bool {
         let name = format!("{}{}", self.package, env::consts::EXE_SUFFIX);
-        let executable: PathBuf = checkout.root().join("target/release").join(name);
+        let executable: PathBuf = checkout
+            .root()
+            .join(self.target())
+            .join("release")
+            .join(name);
         fs::metadata(executable).is_ok()
     }
+
+    /// The folder for what cargo builds. Programs for different processors must not share one,
+    /// because each would be built anew after the other.
+    fn target(&self) -> &'static str {
+        match self.uses_vectors && has_vectors() {
+            true => VECTOR_TARGET,
+            false => "target",
+        }
+    }
+}
+
+/// The level of x86-64 that brings operations on eight numbers at a time (AVX2) and `fma`.
+const VECTOR_LEVEL: &str = "x86-64-v3";
+const VECTOR_TARGET: &str = "target/x86-64-v3";
+
+/// Whether this processor has everything that [`VECTOR_LEVEL`] requires.
+fn has_vectors() -> bool {
+    #[cfg(target_arch = "x86_64")]
+    {
+        is_x86_feature_detected!("avx2")
+            && is_x86_feature_detected!("bmi1")
+            && is_x86_feature_detected!("bmi2")
+            && is_x86_feature_detected!("f16c")
+            && is_x86_feature_detected!("fma")
+            && is_x86_feature_detected!("lzcnt")
+            && is_x86_feature_detected!("movbe")
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    false
 }
 
 /// The program that cargo reports to have built.

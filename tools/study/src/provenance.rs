@@ -18,9 +18,9 @@ pub fn provenance(extent: &Extent) -> Provenance {
         mode: extent.name.into(),
         seed: extent.seed,
         features: if cfg!(target_feature = "fma") {
-            "fma"
+            "built for processors with fma"
         } else {
-            "no fma: mul_add is a call"
+            "built without fma, so mul_add is a call"
         }
         .into(),
     }

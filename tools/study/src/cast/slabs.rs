@@ -1,4 +1,4 @@
-//! Slab test of a ray against four boxes at a time, in `f32`. Rounding never makes it reject a
+//! Slab test of a ray against eight boxes at a time, in `f32`. Rounding never makes it reject a
 //! box that the ray meets.
 //!
 //! A ray crosses a box's side p at t = (p − e) / d, which is computed as p × inverse − offset.
@@ -28,14 +28,14 @@
 //! the product with p are each rounded once, so the relative error is below 4.1u. Components of d
 //! below 2⁻¹⁰⁰ are replaced, which moves the ray by less than the margin of [`Frame::boxed`].
 
-use wide::f32x4;
+use wide::f32x8;
 
 use crate::kernel::sphere::ScaledRay;
 use crate::number::{Real, exponent};
 use crate::vector::Vector;
 
-/// Four boxes in structure-of-arrays layout: low sides, then high sides, by axis.
-pub type Boxes = [[f32x4; 3]; 2];
+/// Eight boxes in structure-of-arrays layout: low sides, then high sides, by axis.
+pub type Boxes = [[f32x8; 3]; 2];
 
 /// A ray that starts less than [`NEAR`] from the scene has left it by this t.
 const BEYOND: f32 = 32.0;
@@ -98,12 +98,12 @@ impl Frame {
 /// A ray prepared for the slab test.
 pub struct Slabs {
     /// The direction's inverses, for near sides and for far sides.
-    inverse: [[f32x4; 3]; 2],
+    inverse: [[f32x8; 3]; 2],
     /// The offsets to subtract for near sides, and for far sides.
-    offset: [[f32x4; 3]; 2],
+    offset: [[f32x8; 3]; 2],
     /// For each axis, the index of a box's near side, and of its far side.
     order: [[usize; 3]; 2],
-    from: f32x4,
+    from: f32x8,
     /// The local parameter is t × 2^`exponent` − `moved`.
     exponent: i32,
     moved: f64,
@@ -150,13 +150,13 @@ impl Slabs {
         ];
         let from = (min_t.times_power_of_two(exponent) - moved) as f32;
         Some(Slabs {
-            inverse: [[x.0, y.0, z.0].map(f32x4::splat); 2],
-            offset: [[x.1, y.1, z.1], [x.2, y.2, z.2]].map(|side| side.map(f32x4::splat)),
+            inverse: [[x.0, y.0, z.0].map(f32x8::splat); 2],
+            offset: [[x.1, y.1, z.1], [x.2, y.2, z.2]].map(|side| side.map(f32x8::splat)),
             order: [
                 [x.0, y.0, z.0].map(|inverse| usize::from(inverse < 0.0)),
                 [x.0, y.0, z.0].map(|inverse| usize::from(inverse >= 0.0)),
             ],
-            from: f32x4::splat(from.max(-BEYOND).next_down()),
+            from: f32x8::splat(from.max(-BEYOND).next_down()),
             exponent,
             moved,
         })
@@ -167,22 +167,22 @@ impl Slabs {
     pub fn from_center(frame: &Frame, scaled: &ScaledRay<f64>, min_t: f64) -> Slabs {
         let exponent = scaled.exponent - frame.exponent;
         let d = scaled.ray.direction.array();
-        let d = d.map(|d| f32x4::splat(d as f32));
-        let small = f32x4::splat(PARALLEL_FROM_CENTER);
-        let sign = f32x4::splat(-0.0);
+        let d = d.map(|d| f32x8::splat(d as f32));
+        let small = f32x8::splat(PARALLEL_FROM_CENTER);
+        let sign = f32x8::splat(-0.0);
         let away = d.map(|d| (d & sign) | (d & !sign).fast_max(small));
-        let inverse = away.map(|d| f32x4::splat(1.0) / d);
-        let by = |factor: f64| inverse.map(|inverse| inverse * f32x4::splat(factor as f32));
+        let inverse = away.map(|d| f32x8::splat(1.0) / d);
+        let by = |factor: f64| inverse.map(|inverse| inverse * f32x8::splat(factor as f32));
         let is_negative = d.map(|d| d.to_bitmask() & 1 == 1);
         let from = min_t.times_power_of_two(exponent) as f32;
         Slabs {
             inverse: [by(1.0 - 8.0 * UNIT), by(1.0 + 8.0 * UNIT)],
-            offset: [[f32x4::splat(0.0); 3]; 2],
+            offset: [[f32x8::splat(0.0); 3]; 2],
             order: [
                 is_negative.map(usize::from),
                 is_negative.map(|is_negative| usize::from(!is_negative)),
             ],
-            from: f32x4::splat(from.next_down()),
+            from: f32x8::splat(from.next_down()),
             exponent,
             moved: 0.0,
         }
@@ -198,7 +198,7 @@ impl Slabs {
     /// A bit for each box that the ray may enter before the horizon, and the parameter at which
     /// it enters each box. `FROM_CENTER` says whether the ray starts at the frame's centre.
     #[inline(always)]
-    pub fn enter<const FROM_CENTER: bool>(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 4]) {
+    pub fn enter<const FROM_CENTER: bool>(&self, boxes: &Boxes, horizon: f32) -> (u32, [f32; 8]) {
         let side = |axis: usize, far: usize| {
             let t = boxes[self.order[far][axis] & 1][axis] * self.inverse[far][axis];
             match FROM_CENTER {
@@ -211,7 +211,7 @@ impl Slabs {
             .fast_max(side(2, 0).fast_max(self.from));
         let far = side(0, 1)
             .fast_min(side(1, 1))
-            .fast_min(side(2, 1).fast_min(f32x4::splat(horizon)));
+            .fast_min(side(2, 1).fast_min(f32x8::splat(horizon)));
         (near.simd_le(far).to_bitmask(), near.to_array())
     }
 }

@@ -1,7 +1,7 @@
 //! A bounding volume hierarchy over the parts, so that a ray is tested against few of them.
 //!
 //! obvhs builds the tree (Meister & Bittner's PLOC, then reinsertion), with two boxes per node.
-//! Here, nodes are collapsed to four boxes (a BVH4). The search loses no hit:
+//! Here, nodes are collapsed to eight boxes (a BVH8). The search loses no hit:
 //!
 //! 1. A box encloses its parts with a margin: see [`Frame::boxed`].
 //! 2. The slab test never rejects a box that contains a hit that could be the first: see
@@ -16,7 +16,7 @@ use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
 use obvhs::bvh2::builder::build_bvh2;
-use wide::f32x4;
+use wide::f32x8;
 
 use super::Nearest;
 use super::model::Model;
@@ -25,14 +25,14 @@ use super::world::{Part, Primitive, World};
 use crate::kernel::ScaledQuery;
 use crate::vector::{Vector, around};
 
-/// A node of the BVH4: four boxes and their contents.
+/// A node of the BVH8: eight boxes and their contents.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Node {
     boxes: Boxes,
     /// For each box, the index of another node; or [`LEAF`], [`COUNT`] times the number of parts
     /// after the first, and the index of the first part.
-    inside: [u32; 4],
+    inside: [u32; 8],
 }
 
 const LEAF: u32 = 1 << 31;
@@ -95,13 +95,13 @@ impl Tree {
             };
             let boxes: Vec<_> = boxes.collect();
             let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
-            let mut fours = WideTreeBuilder {
+            let mut wide = WideTreeBuilder {
                 twos,
                 parts: &inside,
                 ordered: &mut world.parts,
                 tree: &mut tree,
             };
-            fours.build();
+            wide.build();
         }
         tree.boundless = world.parts.len();
         world.parts.extend(outside);
@@ -144,7 +144,7 @@ impl Tree {
                 let (mut met, entries) = slabs.enter::<FROM_CENTER>(&node.boxes, horizon);
                 if met != 0 {
                     let take = |met: &mut u32| {
-                        let lane = met.trailing_zeros() as usize & 3;
+                        let lane = met.trailing_zeros() as usize & 7;
                         *met &= *met - 1;
                         TraversalStack::stack_entry(entries[lane], node.inside[lane])
                     };
@@ -232,7 +232,7 @@ impl TraversalStack {
     }
 }
 
-/// Collapses the binary tree to nodes with four boxes.
+/// Collapses the binary tree to nodes with eight boxes.
 struct WideTreeBuilder<'a> {
     twos: Bvh2,
     parts: &'a [Part],
@@ -246,10 +246,10 @@ impl<'a> WideTreeBuilder<'a> {
             self.leaf(&parts);
             return;
         }
-        let nowhere = [[f32x4::splat(f32::MAX); 3], [f32x4::splat(f32::MIN); 3]];
+        let nowhere = [[f32x8::splat(f32::MAX); 3], [f32x8::splat(f32::MIN); 3]];
         let empty = Node {
             boxes: nowhere,
-            inside: [0; 4],
+            inside: [0; 8],
         };
         let mut waiting = vec![(0, 0)];
         self.tree.nodes.push(empty);
@@ -298,10 +298,10 @@ impl<'a> WideTreeBuilder<'a> {
         (parts.len() == 1 || parts.iter().all(is_triangle)).then_some(parts)
     }
 
-    /// The two to four children of a wide node: keeps opening the child with the largest area.
+    /// The two to eight children of a wide node: keeps opening the child with the largest area.
     fn children(&self, two: usize) -> Vec<usize> {
         let mut children = vec![two];
-        while children.len() < 4 {
+        while children.len() < 8 {
             let area = |two: &usize| self.twos.nodes[*two].aabb().half_area();
             let open = (0..children.len()).filter(|at| self.leaf_parts(children[*at]).is_none());
             let widest = open.max_by(|p, q| area(&children[*p]).total_cmp(&area(&children[*q])));
