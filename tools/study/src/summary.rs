@@ -42,9 +42,7 @@ fn filled(template: &str, values: impl Into<Value>) -> String {
     page.add_filter("share", share);
     page.add_filter("short", |number| or_dash(number, short));
     page.add_filter("exponential", |number: f64| format!("{number:e}"));
-    page.add_filter("scientific", |number| {
-        or_dash(number, |number| format!("{number:.0e}"))
-    });
+    page.add_filter("bound", |number| or_dash(number, bound));
     page.add_filter("fixed", |number, digits: usize| {
         or_dash(number, |number| format!("{number:.digits$}"))
     });
@@ -69,6 +67,18 @@ fn or_dash(number: Option<f64>, text: impl Fn(f64) -> String) -> String {
     number.map_or("–".into(), text)
 }
 
+/// A bound with one digit, rounded up, so that the text promises no more than the number.
+fn bound(number: f64) -> String {
+    let nearest = format!("{number:.0e}");
+    match nearest.parse::<f64>() {
+        Ok(less) if less < number => {
+            let step = 10f64.powi(less.log10().floor() as i32);
+            format!("{:.0e}", number + 0.6 * step)
+        }
+        _ => nearest,
+    }
+}
+
 /// A number with about two digits.
 fn short(number: f64) -> String {
     match number {
@@ -85,6 +95,22 @@ fn median_time_over(plans: Vec<Value>, other: &str) -> Option<f64> {
         .iter()
         .filter_map(|plan| Some(time(plan, "nanoseconds")? / time(plan, other)?));
     median_and_worst(ratios)[0]
+}
+
+#[cfg(test)]
+#[test]
+fn bounds_are_rounded_up() {
+    for (number, text) in [
+        (2e-8, "2e-8"),
+        (2.1e-8, "3e-8"),
+        (2.6e-8, "3e-8"),
+        (9.2e-8, "1e-7"),
+        (1e-12, "1e-12"),
+        (0.0, "0e0"),
+        (3.0000001, "4e0"),
+    ] {
+        assert_eq!(bound(number), text);
+    }
 }
 
 #[cfg(test)]
