@@ -99,17 +99,14 @@ impl<const HAS_EYE: bool> Model for Exact<HAS_EYE> {
 
     #[inline(always)]
     fn meet<'a>(part: &'a Part, query: &Query, tally: &mut Tally) -> Option<Found<'a>> {
-        let Part { shape, limits, .. } = part;
-        let answer = match &part.from_camera {
-            Some(it) => it.filtered::<HAS_EYE>(query.varying, &query.scaled, limits),
-            None => of_each!(shape, shape => shape.filtered(&query.scaled, limits)),
-        };
-        match answer {
+        match part.filtered::<HAS_EYE>(query.varying, &query.scaled) {
             Some(t) => t.map(|t| Found {
                 is_accurate: part.accurate >= Accurate::IfFiltered,
                 ..Found::new(part, t)
             }),
-            None => left_open(shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t)),
+            None => {
+                left_open(&part.shape, query.ray, query.min_t, tally).map(|t| Found::new(part, t))
+            }
         }
     }
 

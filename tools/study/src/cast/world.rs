@@ -63,6 +63,27 @@ pub struct Part {
 }
 
 impl Part {
+    /// The filter's answer for a ray, of which q is what the camera does not fix; `None` if
+    /// rounding might have changed the answer.
+    #[inline(always)]
+    pub fn filtered<const HAS_EYE: bool>(
+        &self,
+        q: Vector<f64>,
+        query: &ScaledQuery,
+    ) -> Option<Option<f64>> {
+        let limits = &self.limits;
+        match &self.from_camera {
+            Some(PartFromCamera::Sphere(sphere)) => sphere.filtered(query, limits),
+            Some(PartFromCamera::Plane(normal, height)) => {
+                plane::at_height(*normal, *height, query, limits)
+            }
+            Some(PartFromCamera::Triangle(triangle)) => {
+                triangle.filtered::<HAS_EYE>(q, query, limits)
+            }
+            None => of_each!(&self.shape, shape => shape.filtered(query, limits)),
+        }
+    }
+
     /// A hit of this part, as the harness writes it to a film.
     #[inline(always)]
     pub fn hit(&self, t: f64, normal: Vector<f64>) -> Hit {
@@ -100,24 +121,6 @@ impl PartFromCamera {
                 PartFromCamera::Triangle(TriangleFromCamera::new(triangle, camera))
             }
         })
-    }
-
-    /// The filter's answer for a ray, of which q is what the camera does not fix; `None` if
-    /// rounding might have changed the answer.
-    #[inline(always)]
-    pub fn filtered<const HAS_EYE: bool>(
-        &self,
-        q: Vector<f64>,
-        query: &ScaledQuery,
-        limits: &Limits,
-    ) -> Option<Option<f64>> {
-        match self {
-            PartFromCamera::Sphere(sphere) => sphere.filtered(query, limits),
-            PartFromCamera::Triangle(triangle) => triangle.filtered::<HAS_EYE>(q, query, limits),
-            PartFromCamera::Plane(normal, height) => {
-                plane::at_height(*normal, *height, query, limits)
-            }
-        }
     }
 }
 

@@ -67,7 +67,9 @@ pub fn decided(
     let query = ScaledQuery::new(*scaled, scaled.scale(min_t));
     let away = (scaled.ray.origin - shape.anchor()).largest();
     let limits = shape.limits(away, at_most(away), ROOT_OF_UNIT);
-    if let Some(answer) = shape.filtered(&query, &limits) {
+    if min_t >= 0.0
+        && let Some(answer) = shape.filtered(&query, &limits)
+    {
         return (answer, Tier::SemiStatic);
     }
     (rounded(shape.exact(ray, min_t)), Tier::Exact)

@@ -41,7 +41,7 @@ pub struct Limits {
 /// For m = `min_t`, t > m (1 + 8√u) + 2 TINY implies t − m > 4√u t + TINY, and t < m (1 − 8√u)
 /// − 2 TINY implies m − t > 4√u max(|t|, m) + TINY. A computed t that is further from m than
 /// 4√u times the larger of the two is on the same side of m as the true t. This holds for m ≥
-/// 0, which everything that casts scenes guarantees. For other m, nothing is certain.
+/// 0. So filters must not be asked about other m.
 #[derive(Clone, Copy, Debug)]
 pub struct ScaledQuery {
     /// The ray.
@@ -53,21 +53,14 @@ pub struct ScaledQuery {
 }
 
 impl ScaledQuery {
-    /// The query for a `min_t` in multiples of the scaled direction.
+    /// The query for a `min_t` in multiples of the scaled direction. It must not be negative.
     #[inline(always)]
     pub fn new(scaled: ScaledRay<f64>, min_t: f64) -> ScaledQuery {
         let room = 8.0 * ROOT_OF_UNIT;
-        let (after, before) = match min_t >= 0.0 && min_t.is_finite() {
-            true => (
-                min_t * (1.0 + room) + 2.0 * TINY,
-                min_t * (1.0 - room) - 2.0 * TINY,
-            ),
-            false => (f64::INFINITY, f64::NEG_INFINITY),
-        };
         ScaledQuery {
             scaled,
-            after,
-            before,
+            after: min_t * (1.0 + room) + 2.0 * TINY,
+            before: min_t * (1.0 - room) - 2.0 * TINY,
         }
     }
 

@@ -130,8 +130,8 @@ pub(super) fn nearest_root(
     // > a c.
     let (is_ahead, is_inside) = (h < 0.0, c < 0.0);
     if !is_ahead && !is_inside {
-        // Both roots are negative, and therefore below any `min_t` that a finite window has.
-        return query.after.is_finite().then_some(None);
+        // Both roots are negative, and therefore below `min_t`.
+        return Some(None);
     }
     let q = h.abs() + (a * within).sqrt();
     // From inside, the near root is negative. From outside, it may be below `min_t`.

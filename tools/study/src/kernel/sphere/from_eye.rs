@@ -65,7 +65,7 @@ impl SphereFromEye {
         let d = query.scaled.ray.direction;
         let (a, h) = (d.dot(d), d.dot(self.f));
         let is_behind = h >= 0.0 && self.c > limits.dividend;
-        if (is_behind || h * h < a * self.least_c) && query.after.is_finite() {
+        if is_behind || h * h < a * self.least_c {
             return Some(None);
         }
         nearest_root(self.f, self.r_square, || self.c, query, limits)
