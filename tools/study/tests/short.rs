@@ -22,30 +22,24 @@ fn integers(random: &mut Random, bits: usize) -> Vector<f64> {
     Vector::new(number(), number(), number())
 }
 
-/// Makes all lengths this many times as long. No decision and no t changes. If the factor is 2²⁰⁰,
-/// the numbers are out of the range of short ones, so that long integers decide.
+/// Makes all lengths this many times as long, which changes no decision and no t.
 fn times(vector: Vector<f64>, power: i32) -> Vector<f64> {
     vector * 2f64.powi(power)
 }
 
-/// t by the exact decision of a shape, first as it is and then with long integers, and whether `f64`
-/// was enough for the first. `min_t` is 0, or that t.
+/// Compares the answer in `f64`, if it is exact, with the one in long integers. `min_t` is 0, that t,
+/// or one of its neighbours. Returns whether the ray hits, and whether there was an answer in `f64`.
 #[track_caller]
-fn check<S: Filtered>(shape: impl Fn(i32) -> S, ray: &Ray<f64>) -> bool {
-    let long = Ray {
-        origin: times(ray.origin, 200),
-        direction: times(ray.direction, 200),
-    };
-    let expected = rounded(shape(200).exact(&long, 0.0));
-    for min_t in [0.0, expected.unwrap_or(1.0)] {
-        let [t, expected] =
-            [shape(0).exact(ray, min_t), shape(200).exact(&long, min_t)].map(rounded);
-        assert_eq!(t, expected, "{ray:?} from {min_t:e} on");
+fn check(shape: &impl Filtered, ray: &Ray<f64>) -> [bool; 2] {
+    let hit = rounded(shape.exact(ray, 0.0));
+    let t = hit.unwrap_or(1.0);
+    for min_t in [0.0, t, t.next_up(), t.next_down().max(0.0)] {
+        if let Some(answer) = shape.short(ray, min_t) {
+            let expected = rounded(shape.exact(ray, min_t));
+            assert_eq!(answer, expected, "{ray:?} from {min_t:e} on");
+        }
     }
-    if let Some(t) = expected {
-        assert_eq!(shape(0).exact_hit(ray, 0.0).rounded(), t, "{ray:?}");
-    }
-    expected.is_some()
+    [hit.is_some(), shape.short(ray, 0.0).is_some()]
 }
 
 #[test]
@@ -70,16 +64,15 @@ fn decisions_on_short_numbers_are_those_of_long_integers() {
             origin: e,
             direction,
         };
-        short += usize::from(are_short([a, b, c, e]) && are_short([direction]));
-        let triangle = |power| Triangle {
-            corners: [a, b, c].map(|corner| times(corner, power)),
-        };
-        hits += usize::from(check(triangle, &ray));
-        let plane = |power| Plane {
-            point: times(a, power),
+        let corners = [a, b, c];
+        let plane = Plane {
+            point: a,
             normal: n,
         };
-        hits += usize::from(check(plane, &ray));
+        for [is_hit, is_short] in [check(&Triangle { corners }, &ray), check(&plane, &ray)] {
+            hits += usize::from(is_hit);
+            short += usize::from(is_short);
+        }
     }
     assert!(hits > 20_000 && short > 20_000, "{hits} {short}");
 }
@@ -95,21 +88,19 @@ fn order_of_short_fractions_is_that_of_long_ones() {
         let [n, p] = [0; 2].map(|_| integers(&mut random, bits));
         let near = Vector::new(random.below(2) as f64, 0.0, 0.0);
         let planes = [(n, p), ((n + near) * -1.0, p)];
-        let at = |power| {
-            let [origin, direction] = [e, direction].map(|vector| times(vector, power));
-            planes.map(|(normal, point)| {
-                let point = times(point, power);
-                (Plane { point, normal }, Ray { origin, direction })
-            })
+        let planes = planes.map(|(normal, point)| Plane { point, normal });
+        let ray = Ray {
+            origin: e,
+            direction,
         };
-        let fractions = at(0).map(|(plane, ray)| plane.short_fraction(&ray));
+        let fractions = planes.map(|plane| plane.short_fraction(&ray));
         let [Some(one), Some(other)] = fractions else {
             continue;
         };
         if one[1] == 0.0 || other[1] == 0.0 {
             continue;
         }
-        let [first, second] = at(200).map(|(plane, ray)| plane.exact_hit(&ray, 0.0));
+        let [first, second] = planes.map(|plane| plane.exact_hit(&ray, 0.0));
         assert_eq!(
             compare(one, other),
             first.compare(&second),

@@ -123,14 +123,20 @@ impl<const HAS_EYE: bool> Model for Exact<HAS_EYE> {
     }
 }
 
-/// Decides a test that the static filter could not: first with the semi-static filter, whose
-/// limits are computed for this ray and shape, then exactly. It is cold and never inlined, to
-/// keep the common path short.
+/// Decides a test that the static filter could not: in `f64` if that is exact, else with the
+/// semi-static filter, whose limits are computed for this ray and shape, and at last with more
+/// digits. It is cold and never inlined, to keep the common path short.
 #[cold]
 #[inline(never)]
 fn left_open(shape: &Primitive, ray: &Ray<f64>, min_t: f64, tally: &mut Tally) -> Option<f64> {
-    let scaled = ScaledRay::new(ray);
-    let (answer, tier) = of_each!(shape, shape => decided(shape, &scaled, ray, min_t));
+    let short = of_each!(shape, shape => shape.short(ray, min_t));
+    let (answer, tier) = match short {
+        Some(answer) => (answer, Tier::Exact),
+        None => {
+            let scaled = ScaledRay::new(ray);
+            of_each!(shape, shape => decided(shape, &scaled, ray, min_t))
+        }
+    };
     tally.semi_static += 1;
     tally.exact += u64::from(tier == Tier::Exact);
     answer

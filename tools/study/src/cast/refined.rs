@@ -6,9 +6,10 @@ use std::cmp::Ordering;
 
 use super::bounds::are_in_range;
 use super::model::exact_hit;
-use super::world::Primitive;
+use super::world::{Primitive, of_each};
 use crate::double_double::DoubleDouble;
 use crate::dyadic::Dyadic;
+use crate::kernel::Filtered;
 use crate::kernel::sphere::{ScaledRay, at_most};
 use crate::number::U;
 use crate::root::rounded;
@@ -28,6 +29,10 @@ pub fn refined(
     min_t: f64,
     near: f64,
 ) -> (f64, Vector<f64>, bool) {
+    // Of a short shape, `f64` rounds t once, and the normal only to unit length.
+    if let Some(Some(t)) = of_each!(shape, shape => shape.short(ray, min_t)) {
+        return (t, shape.flat_normal(), false);
+    }
     let rounded = in_double_double(shape, &ScaledRay::new(ray), near);
     let is_exact = rounded.is_none();
     let (t, normal) = rounded.unwrap_or_else(|| exactly(shape, ray, min_t));

@@ -21,6 +21,11 @@ pub trait Filtered: 'static {
     /// The filter: the answer, or `None` if rounding might have changed it.
     fn filtered(&self, query: &ScaledQuery, limits: &Limits) -> Option<Option<f64>>;
 
+    /// The answer, if `f64` arithmetic rounds nothing but t; see [`super::short`].
+    fn short(&self, _ray: &Ray<f64>, _min_t: f64) -> Option<Option<f64>> {
+        None
+    }
+
     /// The answer by exact arithmetic; `None`, too, if a number is not finite.
     fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root>;
 
@@ -72,5 +77,7 @@ pub fn decided(
     {
         return (answer, Tier::SemiStatic);
     }
-    (rounded(shape.exact(ray, min_t)), Tier::Exact)
+    let short = shape.short(ray, min_t);
+    let answer = short.unwrap_or_else(|| rounded(shape.exact(ray, min_t)));
+    (answer, Tier::Exact)
 }

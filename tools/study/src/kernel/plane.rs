@@ -12,7 +12,7 @@
 //! adds less than 64 times [`TINY`]. Overflow makes a limit infinite or a number NaN; then the
 //! filter does not decide.
 
-use super::short::are_short;
+use super::short::{are_short, at_least};
 use super::{Filtered, Kernel, Limits, ScaledQuery};
 use crate::dyadic::Dyadic;
 use crate::number::{Real, TINY, U};
@@ -69,6 +69,11 @@ impl Filtered for Plane<f64> {
         at_height(self.normal, height, query, limits)
     }
 
+    fn short(&self, ray: &Ray<f64>, min_t: f64) -> Option<Option<f64>> {
+        let fraction = self.short_fraction(ray)?;
+        Some(at_least(min_t, fraction))
+    }
+
     #[cold]
     #[inline(never)]
     fn exact(&self, ray: &Ray<f64>, min_t: f64) -> Option<Root> {
@@ -76,7 +81,7 @@ impl Filtered for Plane<f64> {
         if !(is_finite && ray.is_finite() && min_t.is_finite()) {
             return None;
         }
-        let [height, down] = self.exact_fraction(ray);
+        let [height, down] = fraction(self.exact_vectors(ray));
         if down.sign() == 0 {
             return None;
         }
@@ -91,7 +96,7 @@ impl Filtered for Plane<f64> {
     }
 
     fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
-        let [height, down] = self.exact_fraction(ray);
+        let [height, down] = fraction(self.exact_vectors(ray));
         Root::fraction(height, down)
     }
 }
@@ -101,11 +106,8 @@ impl Plane<f64> {
         [self.normal, self.point, ray.origin, ray.direction]
     }
 
-    fn exact_fraction(&self, ray: &Ray<f64>) -> [Dyadic; 2] {
-        match self.short_fraction(ray) {
-            Some(short) => short.map(Dyadic::of),
-            None => fraction(self.vectors(ray).map(|vector| vector.map(Dyadic::of))),
-        }
+    fn exact_vectors(&self, ray: &Ray<f64>) -> [Vector<Dyadic>; 4] {
+        self.vectors(ray).map(|vector| vector.map(Dyadic::of))
     }
 }
 

@@ -41,6 +41,21 @@ pub fn are_short<const N: usize>(vectors: [Vector<f64>; N]) -> bool {
     numbers.all(is_short)
 }
 
+/// The t of such a fraction, if it is not below `min_t`. It is rounded once, by the division, and a
+/// rounded t lies on the wrong side of no number.
+pub fn at_least(min_t: f64, [p, q]: [f64; 2]) -> Option<f64> {
+    if q == 0.0 {
+        return None;
+    }
+    // Adding 0 turns −0 into 0.
+    let t = p / q + 0.0;
+    let is_late = match t == min_t {
+        true => compare([p, q], [min_t, 1.0]).is_ge(),
+        false => t > min_t,
+    };
+    is_late.then_some(t)
+}
+
 /// Compares two fractions of [`short_fraction`](super::Filtered::short_fraction). The products are
 /// exact: their units are from 2⁻⁹⁰⁰ on, and they are below 2¹⁰¹⁰.
 pub fn compare([p, q]: [f64; 2], [r, s]: [f64; 2]) -> Ordering {

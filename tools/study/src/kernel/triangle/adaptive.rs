@@ -27,7 +27,7 @@
 //! all three certainly have the same sign; their sum, the determinant, then has it too.
 
 use crate::dyadic::Dyadic;
-use crate::kernel::short::are_short;
+use crate::kernel::short::{are_short, at_least};
 use crate::kernel::{Filtered, Limits, ScaledQuery};
 use crate::number::{TINY, U};
 use crate::root::Root;
@@ -90,6 +90,13 @@ impl Filtered for Triangle<f64> {
         }
     }
 
+    fn short(&self, ray: &Ray<f64>, min_t: f64) -> Option<Option<f64>> {
+        let sign = |x: &f64| i32::from(*x > 0.0) - i32::from(*x < 0.0);
+        let fraction = || if_not_beside(self.vectors(ray), sign);
+        let answer = || fraction().and_then(|fraction| at_least(min_t, fraction));
+        self.is_short(ray).then(answer)
+    }
+
     /// The answer by exact arithmetic. Edges and corners belong to the triangle: a ray exactly
     /// through one hits every triangle that shares it.
     #[cold]
@@ -99,12 +106,7 @@ impl Filtered for Triangle<f64> {
         if !(is_finite && ray.is_finite() && min_t.is_finite()) {
             return None;
         }
-        let vectors = self.vectors(ray);
-        let [volume, determinant] = match self.is_short(ray) {
-            true => if_not_beside(vectors, |x| i32::from(*x > 0.0) - i32::from(*x < 0.0))?
-                .map(Dyadic::of),
-            false => if_not_beside(vectors.map(|vector| vector.map(Dyadic::of)), Dyadic::sign)?,
-        };
+        let [volume, determinant] = if_not_beside(self.exact_vectors(ray), Dyadic::sign)?;
         // The determinant is 0 if the ray lies in the triangle's plane or the triangle has no area,
         // neither of which is a hit.
         let beyond = volume.clone() - Dyadic::of(min_t) * determinant.clone();
@@ -119,10 +121,7 @@ impl Filtered for Triangle<f64> {
     }
 
     fn exact_hit(&self, ray: &Ray<f64>, _: f64) -> Root {
-        let [height, down] = match self.short_fraction(ray) {
-            Some(short) => short.map(Dyadic::of),
-            None => fraction(self.vectors(ray).map(|vector| vector.map(Dyadic::of))),
-        };
+        let [height, down] = fraction(self.exact_vectors(ray));
         Root::fraction(height, down)
     }
 }
@@ -131,6 +130,10 @@ impl Triangle<f64> {
     fn vectors(&self, ray: &Ray<f64>) -> [Vector<f64>; 5] {
         let [a, b, c] = self.corners;
         [a, b, c, ray.origin, ray.direction]
+    }
+
+    fn exact_vectors(&self, ray: &Ray<f64>) -> [Vector<Dyadic>; 5] {
+        self.vectors(ray).map(|vector| vector.map(Dyadic::of))
     }
 
     fn is_short(&self, ray: &Ray<f64>) -> bool {
