@@ -85,8 +85,6 @@ def run(item):
 def run_all(items, jobs):
     """Do all items in `jobs` processes and print a JSON line for each; exit code."""
     say({"mitsuba": version("mitsuba"), "variant": "scalar_rgb", "total": len(items)})
-    # Without this, a worker imports `random` or `select` from the current folder.
-    os.environ["PYTHONSAFEPATH"] = "1"
     refused = 0
     with multiprocessing.get_context("spawn").Pool(jobs) as pool:
         for report, problem in pool.imap_unordered(run, items):
@@ -164,12 +162,17 @@ def whole_rows(text):
     return int(text)
 
 
+def absolute(path):
+    """A path that stays the same in another current folder."""
+    return Path(path).absolute()
+
+
 def main():
     """Read the command line, do its items, return the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     commands = parser.add_subparsers(required=True)
     scenes = commands.add_parser("scenes", help="render scene files")
-    scenes.add_argument("scenes", nargs="+", type=Path, metavar="SCENE.toml")
+    scenes.add_argument("scenes", nargs="+", type=absolute, metavar="SCENE.toml")
     scenes.set_defaults(items=lambda a: [(render_scene, (s, a.out)) for s in a.scenes])
     questions = commands.add_parser("questions", help="ask an assignment's questions")
     questions.set_defaults(items=question_items)
@@ -180,7 +183,7 @@ def main():
             "--count", type=whole_rows, help="questions in each group, a multiple of 32"
         )
     own = commands.add_parser("own-questions", help="answer the questions of a file of examples")
-    own.add_argument("file", type=Path, metavar="FILE.toml")
+    own.add_argument("file", type=absolute, metavar="FILE.toml")
     own.add_argument("--shape", required=True, help="what all of them are about")
     own.add_argument("--name", required=True, help="what to call the films")
     own.set_defaults(items=own_question_items)
@@ -193,7 +196,7 @@ def main():
     ])
     for command in (questions, fresh, ties, random):
         command.add_argument(
-            "assignment", type=lambda folder: Path(folder).resolve(), metavar="ASSIGNMENT",
+            "assignment", type=absolute, metavar="ASSIGNMENT",
             help="the assignment's folder, with assignment.toml and questions",
         )
         # Other users can read the arguments of a program, but not its environment.
@@ -202,9 +205,11 @@ def main():
             metavar="N", help=f"by default, the environment variable {SEED}",
         )
     for command in (scenes, questions, fresh, own, ties, random):
-        command.add_argument("--out", type=Path, required=True, metavar="DIR")
+        command.add_argument("--out", type=absolute, required=True, metavar="DIR")
         command.add_argument("--jobs", type=int, default=2, metavar="N")
     arguments = parser.parse_args()
+    # Python and Mitsuba load modules and plugins from the current folder, which may be a student's.
+    os.chdir(Path(__file__).parent)
     arguments.out.mkdir(parents=True, exist_ok=True)
     return run_all(arguments.items(arguments), arguments.jobs)
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use pinhole_testing::{RunResult, fresh, pinhole, trusted};
+use pinhole_testing::{RunResult, fresh, pinhole, pinhole_in, trusted};
 
 /// Judges a file with these examples of `sphere`, and prints JSON if `more` says so.
 fn examples(name: &str, entries: &str, more: &[&str]) -> RunResult {
@@ -127,6 +127,22 @@ t = 4.29
 ";
     ran.expect_out(shown)
         .expect_out("Your 5 correct examples catch 20 of 25 mistakes");
+}
+
+#[test]
+fn mitsuba_loads_nothing_from_the_current_folder() {
+    let folder = fresh(&trusted(), "examples-plugins");
+    let entries = format!("task = \"sphere\"\n[[example]]\n{OWN_RAY}\n{OWN_SHAPE}\nhit = true\n");
+    fs::write(folder.join("mine.toml"), entries).expect("there is room");
+    fs::create_dir(folder.join("plugins")).expect("there is room");
+    for file in ["plugins/scene.so", "plugins/sphere.so", "plugins/mesh.so"] {
+        fs::write(folder.join(file), "no library").expect("there is room");
+    }
+    // The processes that draw questions import `select`.
+    fs::write(folder.join("select.py"), "no module").expect("there is room");
+    pinhole_in(&folder, &["examples", "mine.toml"])
+        .expect_code(0)
+        .expect_out("✓ own ray 0");
 }
 
 #[test]
