@@ -210,9 +210,16 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         let others = ALLOWED_OF_FCNTL.into_iter().map(is_not);
         let others = SeccompRule::new(others.collect::<Result<_, _>>()?)?;
         rules.insert(libc::SYS_fcntl, vec![others]);
-        // The process was told to end with the grader, and must not be able to change that.
-        let outlives = SeccompCondition::new(0, Dword, Eq, libc::PR_SET_PDEATHSIG as u64)?;
-        rules.insert(libc::SYS_prctl, vec![SeccompRule::new(vec![outlives])?]);
+        // The process was told to end with the grader, and must not be able to change that. And
+        // every user of the machine can read the names of threads.
+        let of_prctl = [libc::PR_SET_PDEATHSIG, libc::PR_SET_NAME].map(|option| {
+            let is_option = SeccompCondition::new(0, Dword, Eq, option as u64)?;
+            SeccompRule::new(vec![is_option])
+        });
+        rules.insert(
+            libc::SYS_prctl,
+            of_prctl.into_iter().collect::<Result<_, _>>()?,
+        );
     }
     rules.insert(libc::SYS_clone, clones);
     // On x86-64 the same calls have a second set of numbers (x32), and some have a third one.

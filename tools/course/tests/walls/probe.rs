@@ -86,6 +86,7 @@ fn main() {
         ("ask for flags", 72, [-1, 3, 0, 0]),
         ("watch a process", 434, [-1, 0, 0, 0]),
         ("outlive the parent", 157, [1, -1, 0, 0]),
+        ("take a name", 157, [15, 0, 0, 0]),
     ];
     let mut all = Vec::new();
     for (name, number, arguments) in calls {

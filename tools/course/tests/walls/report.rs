@@ -58,7 +58,7 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
              \"openat a new file\", \
              \"openat a file without a name\", \"open a new file\", \
              \"open a file without a name\", \"share memory\", \"lock\", \
-             \"store a number\", \"watch a process\", \"outlive the parent\"]\n"
+             \"store a number\", \"watch a process\", \"outlive the parent\", \"take a name\"]\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")
 }
