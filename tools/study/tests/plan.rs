@@ -103,6 +103,13 @@ fn hit_beyond_the_largest_f32_is_seen_at_that_depth() {
     assert!(t.iter().all(|t| *t == f32::MAX), "{t:?}");
 }
 
+#[test]
+fn hit_beyond_the_largest_f64_is_on_the_far_side() {
+    let film = filmed("far_root", EXACT_FILM);
+    let normals = film.channel("N.Z").expect("it is there");
+    assert!(normals.iter().all(|z| *z < -0.98), "{normals:?}");
+}
+
 /// Slightly above the bound that it prints, the plan still watches hits, because it allows for the
 /// rounding of its own bounds.
 #[test]

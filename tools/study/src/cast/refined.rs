@@ -35,7 +35,11 @@ pub fn refined(
     if let Some(Some(t)) = of_each!(shape, shape => shape.short(ray, min_t)) {
         return (t, shape.flat_normal(), false);
     }
-    let rounded = in_double_double(shape, &ScaledRay::new(ray), near, accuracy);
+    // A larger `near` may have been cut off at the largest `f64`, and then tells no roots apart.
+    let rounded = match near < 1e300 {
+        true => in_double_double(shape, &ScaledRay::new(ray), near, accuracy),
+        false => None,
+    };
     let is_exact = rounded.is_none();
     let (t, normal) = rounded.unwrap_or_else(|| exactly(shape, ray, min_t));
     (t, normal, is_exact)
