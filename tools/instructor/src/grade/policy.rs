@@ -216,6 +216,16 @@ fn times_in(
     })
 }
 
+/// What tells groups apart. Two of them may have the same name, or nearly so, and one may be named
+/// like the number of another.
+#[derive(Eq, Ord, PartialEq, PartialOrd)]
+enum GroupKey<'a> {
+    /// The platform's number.
+    Number(&'a str),
+    /// If there is no number, the name exactly as it is written.
+    Name(&'a str),
+}
+
 fn groups_in(path: &Path) -> Result<Vec<Group>> {
     let remedy = "save it as a CSV file whose first line is: id,group";
     // The id of a person without a university id is Canvas's number.
@@ -224,10 +234,8 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
         table.needed_column(&MEMBER)?;
         let who: Vec<usize> = MEMBER.iter().filter_map(|it| table.column(&[it])).collect();
         let name = table.needed_column(&["group", "groupname", "team"])?;
-        // Two groups may have the same name, or nearly so. They are told apart by the platform's
-        // number or, if there is none, by the name exactly as it is written.
         let key = table.column(&["canvasgroupid", "groupid"]).unwrap_or(name);
-        let mut groups: BTreeMap<&str, Group> = BTreeMap::new();
+        let mut groups: BTreeMap<GroupKey, Group> = BTreeMap::new();
         let mut alone = BTreeSet::new();
         for (line, row) in &table.rows {
             let mut ids = who.iter().map(|column| cell(row, *column));
@@ -248,12 +256,13 @@ fn groups_in(path: &Path) -> Result<Vec<Group>> {
                     "line {line}: {id} is already listed, without a group"
                 ));
             }
-            let (own, is_number) = match cell(row, key) {
-                number if key != name && !number.is_empty() => (number, true),
-                _ => (row.get(name).unwrap_or_default(), false),
+            let own = match cell(row, key) {
+                number if key != name && !number.is_empty() => GroupKey::Number(number),
+                _ => GroupKey::Name(row.get(name).unwrap_or_default()),
             };
-            let is_twin = |(other, group): (&&str, &Group)| *other != own && group.name == called;
-            if !is_number && groups.iter().any(is_twin) {
+            let is_twin =
+                |(other, group): (&GroupKey, &Group)| *other != own && group.name == called;
+            if matches!(own, GroupKey::Name(_)) && groups.iter().any(is_twin) {
                 return Err(format!(
                     "line {line}: the names of two groups differ only in spaces: {called}"
                 ));
@@ -378,6 +387,22 @@ mod tests {
         let plain = read("id, group\nada,T\n bob ,T\neve,t\n").expect("it is a list");
         assert_eq!(plain.len(), 2);
         assert_eq!(plain[0].members, ["ada", "bob"]);
+    }
+
+    #[test]
+    fn a_group_named_like_another_ones_number_does_not_get_its_mark() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("groups.csv");
+        let rows = ["ada,Owls,7\n", "bob,Owls,7\n", "eve,7,\n"];
+        for order in [[0, 1, 2], [2, 1, 0]] {
+            let rows = order.map(|at| rows[at]).concat();
+            fs::write(&path, format!("user_id,group_name,group_id\n{rows}"))
+                .expect("there is room");
+            let groups = groups_in(&path).expect("it is a list of groups");
+            let of_eve = groups.iter().find(|it| it.members.contains(&"eve".into()));
+            let of_eve = of_eve.expect("she is in a group");
+            assert_eq!((&*of_eve.name, of_eve.members.len()), ("7", 1));
+        }
     }
 
     #[test]
