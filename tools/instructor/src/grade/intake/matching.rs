@@ -97,14 +97,21 @@ fn has_assigned_id(person: &Person) -> bool {
     person.github.as_ref() != Some(&person.id)
 }
 
-/// The people with this id or login, as the university assigned them.
+/// The people with this id or login, as the university assigned them. Only if nobody has it, those
+/// whose id or login has the same letters and digits.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
-    let id = folded(id);
-    let is = |text: &str| !id.is_empty() && is_folded(&id, text);
-    let whole = |person: &&Person| {
-        has_assigned_id(person) && is(&person.id) || person.logins.iter().any(|it| is(it))
+    let with = |is: &dyn Fn(&String) -> bool| -> Vec<&'a Person> {
+        let whole = |person: &&Person| {
+            has_assigned_id(person) && is(&person.id) || person.logins.iter().any(is)
+        };
+        people.iter().filter(whole).collect()
     };
-    people.iter().filter(whole).collect()
+    let found = with(&|own| own.eq_ignore_ascii_case(id));
+    if !found.is_empty() {
+        return found;
+    }
+    let id = folded(id);
+    with(&|own| !id.is_empty() && is_folded(&id, own))
 }
 
 /// The people whose e-mail address begins like this, or who have this login on GitHub instead of an

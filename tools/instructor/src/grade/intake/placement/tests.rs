@@ -327,3 +327,17 @@ fn a_login_after_a_title_that_no_other_repository_has_is_listed() {
         assert!(both.by_name.is_empty(), "{both:?}");
     }
 }
+
+#[test]
+fn an_address_is_not_confused_with_one_that_has_the_same_letters() {
+    let mut people = people();
+    people[0].logins = vec!["ada@cs.uni.edu".into()];
+    people[1].logins = vec!["adacs@uni.edu".into()];
+    for name in ["ada@cs.uni.edu", "Ada@cs.uni.edu"] {
+        let placed = place(&entries(&[name]), Some(&people));
+        assert_eq!(placed.of.get(name), Some(&people[0]), "{placed:?}");
+    }
+    let name = "ada_cs_uni_edu";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
+}
