@@ -430,7 +430,7 @@ mod tests {
                 logins: vec![login.into()],
                 ..Person::default()
             };
-            policy.handed_in(entry, Some(&person))
+            policy.handed_in(entry, Some(&person), &[])
         };
         let day = |id: &str, number: &str, login: &str| {
             let entry = entry("one", id, "one");
@@ -465,6 +465,7 @@ mod tests {
                     logins,
                     ..Person::default()
                 }),
+                &[],
             )
         };
         assert!(of("bob").is_none() && of("77").is_some());
@@ -490,7 +491,7 @@ mod tests {
                 id: id.into(),
                 ..Person::default()
             };
-            match policy.handed_in(&entry(name, id, name), Some(&person)) {
+            match policy.handed_in(&entry(name, id, name), Some(&person), &[]) {
                 Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
                 other => panic!("{id}: {other:?}"),
             }
@@ -507,7 +508,7 @@ mod tests {
 
         // Brightspace says November 25, and the uploader's name for the file looks like Blackboard's.
         let name = "11-23 - Ada - Nov 25, 2026 1100 PM - x_attempt_9999-12-31-23-59-59.zip";
-        let at = Policy::default().handed_in(&entry("ada", "ada", name), None);
+        let at = Policy::default().handed_in(&entry("ada", "ada", name), None, &[]);
         assert_eq!(at, Some(HandInTime::At(Timestamp::MAX)));
     }
 

@@ -50,6 +50,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, RecordSummary>) ->
 struct Open {
     late_sometime: Vec<String>,
     unknown: Vec<String>,
+    contested: Vec<String>,
     undecided: Vec<String>,
     several: Vec<String>,
 }
@@ -67,20 +68,20 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         let team = group.map_or(team, |group| format!("group of {}", group.members[0]));
         teams.entry(team).or_insert((people, Vec::new())).1.push(at);
     }
+    let people = roll.people.as_deref().unwrap_or_default();
     let mut open = Open::default();
-    for (people, places) in teams.values() {
+    for (team, places) in teams.values() {
         let handed_in: Vec<Attempt> = places
             .iter()
-            .map(|at| Attempt::new(*at, &rows.own[*at], policy, people))
+            .map(|at| Attempt::new(*at, &rows.own[*at], policy, team, people))
             .collect();
         let nobody = [None];
-        let each: Vec<Option<&'a Person>> = people.iter().map(|it| Some(*it)).collect();
+        let each: Vec<Option<&'a Person>> = team.iter().map(|it| Some(*it)).collect();
         let each = if each.is_empty() { &nobody[..] } else { &each };
         for person in each {
             give(policy, *person, &handed_in, rows, &mut open);
         }
     }
-    let people = roll.people.as_deref().unwrap_or_default();
     let strangers = policy.strangers(people);
     let all = [
         (
@@ -107,6 +108,12 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
              policy.toml)",
             true,
             open.late_sometime,
+        ),
+        (
+            "in the table of times under a login that two people have, one of them perhaps on \
+             GitHub: counted as on time; put a column `id` into that table",
+            true,
+            open.contested,
         ),
         match policy.times.is_empty() {
             false => (
@@ -149,20 +156,24 @@ struct Attempt {
     lateness: Lateness,
     time: Option<HandInTime<jiff::Timestamp>>,
     judged: Option<JudgedPoints>,
+    /// See [`Policy::contested_login`].
+    contested_login: Option<String>,
     /// See [`RecordSummary::tokens`].
     tokens: Box<[(String, String)]>,
 }
 
 impl Attempt {
-    fn new(at: usize, row: &Row, policy: &Policy, people: &[&Person]) -> Attempt {
+    fn new(at: usize, row: &Row, policy: &Policy, team: &[&Person], people: &[Person]) -> Attempt {
         let extra = policy.rules.extra_credit.as_ref();
         let extra = extra.map_or(&[][..], |it| &it.parts);
-        let time = policy.handed_in(row.entry, row.person);
+        let time = policy.handed_in(row.entry, row.person, people);
+        let contested = |person| policy.contested_login(person, people).cloned();
         Attempt {
             at,
             id: row.entry.id.clone(),
-            lateness: policy.lateness(time, people),
+            lateness: policy.lateness(time, team),
             time,
+            contested_login: row.person.and_then(contested),
             judged: row
                 .record
                 .and_then(|record| JudgedPoints::of(record, extra)),
@@ -239,7 +250,10 @@ fn give<'a>(
             }
             match counts.lateness {
                 Lateness::LateSometime => open.late_sometime.push(counts.id.clone()),
-                Lateness::Unknown => open.unknown.push(counts.id.clone()),
+                Lateness::Unknown => match &counts.contested_login {
+                    Some(login) => open.contested.push(format!("{}: {login}", counts.id)),
+                    None => open.unknown.push(counts.id.clone()),
+                },
                 Lateness::InTime | Lateness::Late { .. } => {}
             }
         }

@@ -98,7 +98,8 @@ fn has_assigned_id(person: &Person) -> bool {
 }
 
 /// The people with this id or login, as the university assigned them. Only if nobody has it, those
-/// whose id or login has the same letters and digits.
+/// whose id or login has the same letters and digits. Unless it is an id, nobody knows whether
+/// people who have chosen it on GitHub are meant instead.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let with = |is: &dyn Fn(&String) -> bool| -> Vec<&'a Person> {
         let whole = |person: &&Person| {
@@ -106,12 +107,17 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
         };
         people.iter().filter(whole).collect()
     };
-    let found = with(&|own| own.eq_ignore_ascii_case(id));
-    if !found.is_empty() {
-        return found;
+    let is_same = |own: &String| own.eq_ignore_ascii_case(id);
+    let mut found = with(&is_same);
+    if found.is_empty() {
+        let id = folded(id);
+        found = with(&|own| !id.is_empty() && is_folded(&id, own));
     }
-    let id = folded(id);
-    with(&|own| !id.is_empty() && is_folded(&id, own))
+    let has_this_id = |person: &&Person| has_assigned_id(person) && is_same(&person.id);
+    if !found.is_empty() && !found.iter().any(has_this_id) {
+        found.extend(people.iter().filter(|it| has_github(it, id)));
+    }
+    found
 }
 
 /// The people whose e-mail address begins like this, or who have this login on GitHub instead of an
@@ -157,6 +163,13 @@ pub fn is_id(name: &str, people: &[Person]) -> bool {
     let is = |own: &String| own.eq_ignore_ascii_case(name);
     let mut people = people.iter();
     people.any(|it| has_assigned_id(it) && is(&it.id) || it.logins.iter().any(is))
+}
+
+/// Whether somebody else has this login, too. People choose theirs on GitHub.
+pub fn is_anothers_login(login: &str, person: &Person, people: &[Person]) -> bool {
+    let others = people.iter().filter(|other| other.id != person.id);
+    let mut logins = others.flat_map(Person::all_logins);
+    logins.any(|own| own.eq_ignore_ascii_case(login))
 }
 
 /// The people whose login ends a text, each with the title before the login. Whether the title

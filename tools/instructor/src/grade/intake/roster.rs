@@ -30,6 +30,13 @@ pub struct Person {
     pub group: Option<String>,
 }
 
+impl Person {
+    /// The logins of the university and the one on GitHub.
+    pub fn all_logins(&self) -> impl Iterator<Item = &String> {
+        self.logins.iter().chain(&self.github)
+    }
+}
+
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook,
 /// Moodle's lists in English and German, and the rosters of GitHub's classrooms. If a table has
 /// several of them, the first in this list counts. If a person has no id in that column, the next

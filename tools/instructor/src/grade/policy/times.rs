@@ -7,7 +7,7 @@ use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
 use super::rules::LatenessUnit;
 use super::{Policy, TimeKey};
 use crate::grade::intake::Entry;
-use crate::grade::intake::matching::is_own_number;
+use crate::grade::intake::matching::{is_anothers_login, is_own_number};
 use crate::grade::intake::names::{self, HandInTime, Sign};
 use crate::grade::intake::roster::Person;
 use pinhole_report::escape::printable_cell;
@@ -76,12 +76,29 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
 }
 
 impl Policy {
+    /// What the table of times says under a key. If there are several times, we don't know which is
+    /// meant. Take the last one, so that nobody gets away with being late.
+    fn listed(&self, kind: TimeKey, key: &str) -> Option<Timestamp> {
+        let all = self.times.get(key)?.iter();
+        let own = all.filter(|(own, _)| *own == kind);
+        own.map(|(_, time)| *time).max()
+    }
+
+    /// A person's login that is in the table of times, but is somebody else's, too. Nobody knows
+    /// whose time that is.
+    pub fn contested_login<'a>(&self, person: &'a Person, people: &[Person]) -> Option<&'a String> {
+        let is_listed = |login: &&String| self.listed(TimeKey::Login, login).is_some();
+        let mut logins = person.all_logins().filter(is_listed);
+        logins.find(|login| is_anothers_login(login, person, people))
+    }
+
     /// When a submission was handed in, according to the table of times or, if it doesn't say,
-    /// the names of its files.
+    /// the names of its files. `people` is the roster.
     pub fn handed_in(
         &self,
         entry: &Entry,
         person: Option<&Person>,
+        people: &[Person],
     ) -> Option<HandInTime<Timestamp>> {
         let given = [&entry.id, &entry.name];
         let mut keys: Vec<_> = given.map(|name| (TimeKey::Submission, name)).to_vec();
@@ -99,18 +116,13 @@ impl Policy {
             });
             keys.push((TimeKey::Id, &person.id));
             keys.extend(person.number.iter().map(|it| (TimeKey::Number, it)));
-            keys.extend(person.logins.iter().map(|it| (TimeKey::Login, it)));
-            keys.extend(person.github.iter().map(|it| (TimeKey::Login, it)));
+            let logins = person.all_logins();
+            let logins = logins.filter(|it| !is_anothers_login(it, person, people));
+            keys.extend(logins.map(|it| (TimeKey::Login, it)));
             keys.extend(signs.map(|it| (TimeKey::Number, it)));
         }
-        // If one person has several times, we don't know which belongs to this submission. Take the
-        // last one, so that nobody gets away with being late.
-        let latest = |(kind, name): &(TimeKey, &String)| {
-            let all = self.times.get(*name)?.iter();
-            let own = all.filter(|(own, _)| own == kind);
-            own.map(|(_, time)| *time).max()
-        };
-        if let Some(time) = keys.iter().find_map(latest) {
+        let mut keys = keys.into_iter();
+        if let Some(time) = keys.find_map(|(kind, key)| self.listed(kind, key)) {
             return Some(HandInTime::At(time));
         }
         let zone = self.zone();

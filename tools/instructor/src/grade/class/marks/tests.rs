@@ -127,6 +127,42 @@ fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
 }
 
 #[test]
+fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() {
+    let entries = ["ada", "bob", "eve"].map(|id| entry(id, id, id)).to_vec();
+    let mut roll = roll(entries, RULES, &[]);
+    let people = roll.people.as_mut().expect("it has people");
+    let accounts = [("al123", "countess"), ("bb9", "bob"), ("em7", "al123")];
+    for (person, (login, github)) in people.iter_mut().zip(accounts) {
+        person.logins = vec![login.into()];
+        person.github = Some(github.into());
+    }
+    roll.place();
+    let marks = |times: [(&str, u32); 3]| {
+        let mut roll = roll.clone();
+        let policy = roll.policy.as_mut().expect("it has one");
+        for (login, day) in times {
+            let time = format!("2026-11-{day}T11:00:00Z").parse();
+            let time = vec![(TimeKey::Login, time.expect("it is a time"))];
+            policy.times.insert(login.into(), time);
+        }
+        let records = records(&[("ada", 60), ("bob", 60), ("eve", 60)]);
+        let rows = rows(&roll, &records);
+        let points: Vec<f64> = finals(&rows).into_iter().map(|it| it.2).collect();
+        let listed = rows.concerns.iter().filter(|it| it.is_grave);
+        let listed: Vec<String> = listed.flat_map(|it| it.which.clone()).collect();
+        (points, listed)
+    };
+    // The table has logins on GitHub, and eve is late.
+    let (points, listed) = marks([("countess", 20), ("bob", 20), ("al123", 25)]);
+    assert_eq!(points, [60.0; 3]);
+    assert_eq!(listed, ["eve: al123"]);
+    // The table has the university's logins, and ada is late.
+    let (points, listed) = marks([("al123", 25), ("bb9", 25), ("em7", 20)]);
+    assert_eq!(points, [60.0, 10.0, 60.0]);
+    assert_eq!(listed, ["ada: al123"]);
+}
+
+#[test]
 fn each_person_has_one_mark_even_without_a_policy() {
     let records = records(&[("one", 60), ("two", 65)]);
     let of = |given: [&str; 2]| {

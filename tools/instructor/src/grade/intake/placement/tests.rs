@@ -341,3 +341,24 @@ fn an_address_is_not_confused_with_one_that_has_the_same_letters() {
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
 }
+
+#[test]
+fn a_login_on_github_that_is_anothers_login_means_neither() {
+    let mut people = people();
+    people[0].logins = vec!["al123".into()];
+    people[0].github = Some("countess".into());
+    people[1].github = Some("AL123".into());
+    let placed = place(&entries(&["countess", "al123"]), Some(&people));
+    assert_eq!(placed.of.len(), 1, "{placed:?}");
+    assert_eq!(placed.of["countess"].id, "s1");
+    assert_eq!(placed.ambiguous["al123"], people[..2]);
+    people[1].github = Some("al-123".into());
+    let placed = place(&entries(&["al123", "al-123"]), Some(&people));
+    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+    assert_eq!(placed.ambiguous["al-123"], people[..2]);
+    // The instructor decides by an id, which nobody can contest.
+    people[1].github = Some("s1".into());
+    let placed = place(&entries(&["s1", "al123"]), Some(&people));
+    assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
+    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+}
