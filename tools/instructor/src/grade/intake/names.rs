@@ -73,7 +73,8 @@ impl PlatformName<'_> {
     /// All ways to read a name as Canvas writes it. A person's name there may contain `_` and
     /// numbers, and so look like somebody else's name.
     fn canvas(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
-        let ends = name.match_indices('_').map(|(at, _)| at);
+        // Canvas allows no longer names of people.
+        let ends = places("_", name, 255);
         ends.filter_map(|at| PlatformName::canvas_of(name, &name[..at]))
     }
 
@@ -111,7 +112,8 @@ impl PlatformName<'_> {
     /// All ways to read a name as Moodle writes it.
     fn moodle(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
         const MARK: &str = "_assignsubmission_";
-        name.match_indices(MARK).filter_map(|(at, _)| {
+        // The names of a group and of a person, and a number, are shorter.
+        places(MARK, name, 500).filter_map(|at| {
             let (person, number) = name[..at].rsplit_once('_')?;
             let rest = &name[at + MARK.len()..];
             let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
@@ -192,16 +194,21 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// The longest name that a platform gives, because no common file system has longer ones.
-const MOST_BYTES: usize = 255;
+/// The places of a mark after at most so many characters of a name. In an archive, a name may have
+/// thousands of marks. But its length says nothing, because the uploader chooses the rest of it.
+fn places<'a>(mark: &'static str, name: &'a str, most: usize) -> impl Iterator<Item = usize> + 'a {
+    let after = name.char_indices().nth(most + 1);
+    let searched = &name[..after.map_or(name.len(), |(at, _)| at)];
+    searched.match_indices(mark).map(|(at, _)| at)
+}
 
 /// All ways to read a name as a platform's. An uploader can make a name look as if it were two
 /// people's, or came from two platforms; then nobody knows which it is. The first of these ways has
 /// the shortest name of a person.
 pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
-    // In an archive, a name may be long enough to be read in thousands of ways. No platform gives
-    // names with a backslash, and in a ZIP file of reports they could lead out of a folder.
-    if name.len() > MOST_BYTES || name.contains('\\') {
+    // No platform gives names with a backslash, and in a ZIP file of reports they could lead out of
+    // a folder.
+    if name.contains('\\') {
         return Vec::new();
     }
     let others = [
@@ -300,6 +307,11 @@ mod tests {
         ] {
             assert_eq!(of(names), said, "{names:?}");
         }
+        let long = format!(
+            "HW1_mm1_attempt_2026-11-25-20-00-00_{}.zip",
+            "x".repeat(240)
+        );
+        assert_eq!(of(&[&long]), "2026-11-25T20:00:00");
     }
 
     #[test]
@@ -346,6 +358,8 @@ mod tests {
         ] {
             assert!(PlatformName::blackboard(other).is_none(), "{other}");
         }
+        let longest = format!("{}_12_501_{}.zip", "é".repeat(255), "x".repeat(255));
+        assert_eq!(platforms(&longest).len(), 1);
         let both = platforms("malletmallory_13_503_x_20231234_assignsubmission_file.zip");
         assert_eq!(both.len(), 2);
     }

@@ -2,10 +2,17 @@
 
 use pinhole_course::assignment::{Assignment, Task, examples_file};
 
+/// The longest name of a file, because no common file system allows longer ones.
+const MOST_BYTES: usize = 255;
+
 /// The answer file, or the file of examples, that a file of this name may be, and whether its name
 /// is exactly that. Recognises names that people or programs have changed: `Sphere.rs`, `sphere
 /// (1).rs`, `sphere 2.rs`, `sphere.rs.txt`, `Kopie von sphere.rs`.
 pub fn file_of(name: &str, assignment: &Assignment) -> Option<(String, bool)> {
+    // In an archive, a name may be long, and is then compared in hundreds of ways.
+    if name.len() > MOST_BYTES {
+        return None;
+    }
     let answers = assignment.answerable().map(Task::file);
     let examples = assignment.with_examples();
     let examples = examples.map(|task| examples_file(&task.name));
@@ -13,10 +20,8 @@ pub fn file_of(name: &str, assignment: &Assignment) -> Option<(String, bool)> {
     if files.iter().any(|file| file == name) {
         return Some((name.into(), true));
     }
-    let is_meant = |file: &String| {
-        let (stem, end) = file.rsplit_once('.').unwrap_or((file, ""));
-        plain_stem(name, end) == Some(joined(stem))
-    };
+    let normalized = normalized(name)?;
+    let is_meant = |file: &String| joined(file) == normalized;
     Some((files.into_iter().find(is_meant)?, false))
 }
 
@@ -30,12 +35,13 @@ fn joined(name: &str) -> String {
     name.to_lowercase().replace([' ', '-', '_'], "")
 }
 
-/// A file's name without its extension, which must be `end`, in lower case, and without spaces and marks of a
-/// copy.
-fn plain_stem(name: &str, end: &str) -> Option<String> {
+/// A file's name in lower case, without marks between its words and marks of a copy. `None` if it
+/// has no extension.
+fn normalized(name: &str) -> Option<String> {
     let lower = name.trim().to_lowercase();
     let lower = lower.strip_suffix(".txt").unwrap_or(&lower);
-    let mut stem = lower.strip_suffix(end)?.strip_suffix('.')?.trim();
+    let (stem, end) = lower.rsplit_once('.')?;
+    let mut stem = stem.trim();
     let before = COPY
         .iter()
         .find_map(|(before, _)| stem.strip_prefix(before));
@@ -52,7 +58,7 @@ fn plain_stem(name: &str, end: &str) -> Option<String> {
         }
         stem = shorter;
     }
-    Some(joined(stem))
+    Some(format!("{}.{end}", joined(stem)))
 }
 
 /// What systems put before and after the names of copies.
@@ -101,8 +107,8 @@ mod tests {
             "triangle_soup.rs.txt",
         ] {
             assert_eq!(
-                plain_stem(name, "rs").as_deref(),
-                Some("trianglesoup"),
+                normalized(name).as_deref(),
+                Some("trianglesoup.rs"),
                 "{name}"
             );
         }
@@ -113,12 +119,12 @@ mod tests {
             "triangle_soup.c",
         ] {
             assert_ne!(
-                plain_stem(name, "rs").as_deref(),
-                Some("trianglesoup"),
+                normalized(name).as_deref(),
+                Some("trianglesoup.rs"),
                 "{name}"
             );
         }
-        let examples = plain_stem("Copy of Soup.examples (1).toml", "toml");
-        assert_eq!(examples.as_deref(), Some("soup.examples"));
+        let examples = normalized("Copy of Soup.examples (1).toml");
+        assert_eq!(examples.as_deref(), Some("soup.examples.toml"));
     }
 }

@@ -406,6 +406,37 @@ fn a_short_title_chosen_by_an_uploader_moves_nobodys_mark() {
 }
 
 #[test]
+fn a_long_name_hides_nobodys_account() {
+    let numbers =
+        "id,name,number\n2001,Ada Lovelace,11\n2002,Bob Boole,12\n2003,Mallory Mallet,13\n";
+    let names = "id,name\n2001,Ada Lovelace\n2002,Bob Boole\n2003,Mallory Mallet\n";
+    for file in [
+        format!("2001 {}.zip", "x".repeat(240)),
+        format!("{}.zip", "作业一光线投射".repeat(12)),
+    ] {
+        let export = Export::new();
+        let whole = |name: &str, whose| (name.to_owned(), zip(&answers("", whose)));
+        let mut files = vec![
+            whole("boolebob_12_502_hw.zip", "bob"),
+            whole(&format!("malletmallory_13_503_{file}"), "mallory"),
+        ];
+        export.put("class.zip", &zip(&files));
+        for list in [numbers, names] {
+            let found = placed(&export, &["class.zip"], list);
+            assert_eq!(all_of(&found, "2003"), ["// sphere by mallory"]);
+            let missing: Vec<&str> = found.1.missing.iter().map(|it| &*it.id).collect();
+            assert_eq!(missing, ["2001"], "{:#?}", found.1);
+        }
+        // Several such files, of which none is a submission, don't hide the class.
+        files.extend((0..4).map(|k| (format!("malletmallory_13_60{k}_{file}.txt"), Vec::new())));
+        export.put("class.zip", &zip(&files));
+        let intake = export.find("class.zip");
+        let names: Vec<&str> = intake.entries.iter().map(|it| &*it.name).collect();
+        assert_eq!(names, ["boolebob_12", "malletmallory_13"]);
+    }
+}
+
+#[test]
 fn a_name_that_leads_out_of_a_folder_is_not_a_platforms() {
     let name = "evil_77_assignsubmission_file_";
     assert_eq!(names::platforms(name).len(), 1);
