@@ -5,7 +5,7 @@ use std::fs::{self, File, TryLockError};
 use std::io::{Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use super::evidence::Evidence;
+use super::evidence::{self, Evidence};
 use super::intake::Entry;
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
@@ -28,15 +28,17 @@ pub struct ResultCache {
 impl ResultCache {
     /// Opens the folder, and locks it against other graders.
     pub fn open(folder: &Path) -> Result<ResultCache> {
-        let submissions = folder.join("submissions");
-        if !submissions.exists() {
-            fs::create_dir_all(&submissions)
-                .and_then(|()| make_private(&submissions))
-                .or_fail(&cannot_write(&submissions))?;
+        // Even the size of a file can tell what a submission printed about a fresh question.
+        for path in ["", "submissions", evidence::FOLDER].map(|name| folder.join(name)) {
+            if !path.exists() {
+                fs::create_dir_all(&path)
+                    .and_then(|()| make_private(&path))
+                    .or_fail(&cannot_write(&path))?;
+            }
         }
         // Who can change these files can choose marks. The folder itself may belong to another user:
         // root in a container often grades into a folder of the host.
-        for path in ["submissions", "fresh", ROLL].map(|name| folder.join(name)) {
+        for path in ["submissions", evidence::FOLDER, "fresh", ROLL].map(|name| folder.join(name)) {
             if path.exists() && !is_ours(&path) {
                 let path = path.display().to_string();
                 return Err(Error::input(
@@ -410,7 +412,7 @@ mod tests {
         let open = || ResultCache::open(out.path()).map(drop);
         open().expect("it is new");
         open().expect("it is ours");
-        for name in ["submissions", "fresh", "roll.json"] {
+        for name in ["submissions", "evidence", "fresh", "roll.json"] {
             let path = out.path().join(name);
             if name == "fresh" {
                 fs::create_dir(&path).expect("there is room");
@@ -428,6 +430,30 @@ mod tests {
                 open().expect_err("somebody else made it");
                 chown(&path, Some(0), None).expect("we are root");
             }
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn nobody_else_sees_how_large_the_files_of_a_class_are() {
+        use pinhole_course::private::{allow, is_private};
+
+        let folder = tempfile::tempdir().expect("there is room");
+        // Either folder may be new: the class's, or those inside.
+        let [new, old] = ["new", "old"].map(|name| folder.path().join(name));
+        fs::create_dir(&old).expect("there is room");
+        allow(&old, 0o755).expect("it is ours");
+        let put = |out: &Path| {
+            let cache = ResultCache::open(out).expect("it is ours");
+            let record = graded("ada", 1, 1);
+            let put = cache.put(&record, "report", &evidence(&record));
+            put.expect("there is room");
+        };
+        put(&new);
+        assert!(is_private(&new));
+        put(&old);
+        for name in ["submissions", "evidence"] {
+            assert!(is_private(&old.join(name)), "{name}");
         }
     }
 

@@ -11,7 +11,7 @@ use pinhole_course::outcome::Outcome;
 use pinhole_course::submission::Submission;
 
 /// The folder with all evidence, in the folder of a graded class. Nothing in it is for students.
-const FOLDER: &str = "evidence";
+pub const FOLDER: &str = "evidence";
 
 /// The evidence for one mark.
 #[derive(Clone, Debug, Deserialize, Serialize)]
