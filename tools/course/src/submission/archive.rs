@@ -33,6 +33,7 @@ pub struct Archive<R> {
     left: Rc<Cell<u64>>,
     /// The index of each file, by its path, with `/` between its parts.
     files: BTreeMap<String, usize>,
+    misplaced: Vec<(String, &'static str)>,
 }
 
 /// A reader that stops after a number of bytes.
@@ -63,7 +64,8 @@ impl<R: Seek> Seek for LimitedReader<R> {
 /// Opens a student's own archive, named on the command line.
 ///
 /// # Errors
-/// As [`Archive::new`], or if it is too long or the machine cannot read it.
+/// As [`Archive::new`], or if it would put a file outside its own folder, if it is too long, or if
+/// the machine cannot read it.
 pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     let refused = Error::input(
         format!("{} is refused", path.display()),
@@ -82,14 +84,20 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
         return Err(refused.because("it is larger than 16 MiB"));
     }
-    Archive::new(Cursor::new(bytes)).map_err(|why| refused.because(why))
+    let archive = match Archive::new(Cursor::new(bytes)) {
+        Ok(archive) => archive,
+        Err(why) => return Err(refused.because(why)),
+    };
+    match archive.misplaced().first() {
+        Some((name, why)) => Err(refused.because(format!("{name:?} {why}"))),
+        None => Ok(archive),
+    }
 }
 
 impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents.
     ///
-    /// Fails if the archive is not a ZIP file, holds too much, or would put a file outside its own
-    /// folder. The text says why.
+    /// Fails if the archive is not a ZIP file, or holds too much. The text says why.
     pub fn new(mut inner: R) -> std::result::Result<Archive<R>, String> {
         if matches!(inner.seek(SeekFrom::End(0)), Ok(0)) {
             return Err("it is empty".into());
@@ -108,18 +116,35 @@ impl<R: Read + Seek> Archive<R> {
             return Err("it holds two files with the same name".into());
         }
         left.set(MOST_READ);
-        let mut files = BTreeMap::new();
+        let (mut files, mut misplaced) = (BTreeMap::new(), Vec::new());
         for index in 0..zip.len() {
             let entry = zip
                 .by_index_raw(index)
                 .map_err(|error| format!("its contents make no sense ({error})"))?;
             let name = text::name(entry.name_raw());
-            let path = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
+            let path = match plain_path(&name) {
+                Ok(path) => path,
+                Err(why) => {
+                    misplaced.push((name, why));
+                    continue;
+                }
+            };
             if !entry.is_dir() && files.insert(path, index).is_some() {
                 return Err(format!("{name:?} appears twice"));
             }
         }
-        Ok(Archive { zip, left, files })
+        Ok(Archive {
+            zip,
+            left,
+            files,
+            misplaced,
+        })
+    }
+
+    /// The names that are not accepted, because they would put a file outside the archive's own
+    /// folder, and what is wrong with each.
+    pub fn misplaced(&self) -> &[(String, &'static str)] {
+        &self.misplaced
     }
 
     /// The paths of all files.

@@ -173,6 +173,28 @@ impl Reader<'_> {
         Some(path)
     }
 
+    /// Lists a file in an archive whose name is not accepted. In the archive of a class, it keeps
+    /// the part of its name that the platform gave. Any other archive is refused.
+    fn refuse(
+        &mut self,
+        folder: &[String],
+        depth: usize,
+        name: &str,
+        why: &str,
+    ) -> std::result::Result<(), String> {
+        let why = format!("{name:?} {why}");
+        if depth > 0 {
+            return Err(why);
+        }
+        let name = name.replace(['\\', '\0'], "_");
+        let parts = name.split('/').filter(|it| !["", ".", ".."].contains(it));
+        let name = parts.collect::<Vec<_>>().join("/");
+        if let Some(path) = self.enter(folder, &name) {
+            self.keep(&path, Content::Refused(why));
+        }
+        Ok(())
+    }
+
     /// Whether another file may be looked at.
     fn may_go_on(&mut self, path: &[String]) -> bool {
         match self.limits(path).spend(|it| &it.files, 1) {

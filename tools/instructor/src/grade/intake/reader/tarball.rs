@@ -72,7 +72,13 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
         if kind.is_dir() || kind == EntryType::XGlobalHeader {
             continue;
         }
-        let inside = plain_path(&name).map_err(|why| format!("{name:?} {why}"))?;
+        let inside = match plain_path(&name) {
+            Ok(inside) => inside,
+            Err(why) => {
+                reader.refuse(path, depth, &name, why)?;
+                continue;
+            }
+        };
         let Some(inside) = reader.enter(path, &inside) else {
             continue;
         };

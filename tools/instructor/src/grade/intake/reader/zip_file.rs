@@ -23,6 +23,10 @@ pub fn read(
         of: |it| &it.passed,
     };
     let mut archive = Archive::new(file).map_err(ReadFailure::Refused)?;
+    for (name, why) in archive.misplaced() {
+        let refused = reader.refuse(path, depth, name, why);
+        refused.map_err(ReadFailure::Refused)?;
+    }
     let files: Vec<String> = archive.files().map(str::to_owned).collect();
     for name in files {
         let Some(inside) = reader.enter(path, &name) else {

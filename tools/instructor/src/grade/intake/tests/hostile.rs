@@ -437,6 +437,36 @@ fn a_long_name_hides_nobodys_account() {
 }
 
 #[test]
+fn a_name_that_leads_out_of_a_class_refuses_only_that_upload() {
+    type Pack = fn(&Files) -> Vec<u8>;
+    for (pack, file) in [
+        ((|files| zip(files)) as Pack, r"\..\x.zip"),
+        (|files| zip(files), "\0.zip"),
+        (tar_gz, r"\..\x.zip"),
+    ] {
+        let export = Export::new();
+        let whole = |name: &str, whose| (name.to_owned(), zip(&answers("", whose)));
+        let mut files = vec![
+            whole("boolebob_12_502_hw.zip", "bob"),
+            whole("lovelaceada_11_501_hw.zip", "ada"),
+        ];
+        // Several of them don't hide the class.
+        files.extend((0..4).map(|k| whole(&format!("mallet_13_50{k}_{file}"), "mallory")));
+        export.put("class.zip", &pack(&files));
+        let intake = export.find("class.zip");
+        let names: Vec<&str> = intake.entries.iter().map(|it| &*it.name).collect();
+        assert_eq!(names, ["boolebob_12", "lovelaceada_11", "mallet_13"]);
+        assert_eq!(text(&intake, 0, "sphere"), "// sphere by bob");
+        let told = intake.entries[2].unusable.join("; ");
+        assert!(told.contains("mallet_13_503_"), "{told}");
+        // A single ZIP file with such a name is refused as a whole.
+        export.put("class/mallory.zip", &zip(&files));
+        let told = export.find("class").entries[0].unusable.join("; ");
+        assert!(told.contains("refused: `mallory.zip`"), "{told}");
+    }
+}
+
+#[test]
 fn a_name_that_leads_out_of_a_folder_is_not_a_platforms() {
     let name = "evil_77_assignsubmission_file_";
     assert_eq!(names::platforms(name).len(), 1);
