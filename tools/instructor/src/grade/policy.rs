@@ -15,7 +15,7 @@ use jiff::{Timestamp, tz::TimeZone};
 use serde::{Deserialize, Serialize};
 
 use self::rules::Rules;
-use super::intake::matching::is_id;
+use super::intake::matching::is_like_id;
 use super::intake::roster::Person;
 use super::intake::table::Table;
 use pinhole_course::assignment::Assignment;
@@ -131,13 +131,13 @@ impl Policy {
         })
     }
 
-    /// The groups whose name is the id or login of somebody else. A submission with such a name
-    /// counts as that person's.
+    /// The groups whose name is the id or login of somebody else, or like one. A submission with such
+    /// a name may count as that person's.
     pub fn misnamed_groups(&self, people: &[Person]) -> Vec<String> {
         let is_misnamed = |group: &&Group| {
             let is_other = |person: &&Person| !group.members.contains(&person.id);
             let others: Vec<Person> = people.iter().filter(is_other).cloned().collect();
-            is_id(&group.name, &others)
+            is_like_id(&group.name, &others)
         };
         let misnamed = self.groups.iter().filter(is_misnamed);
         misnamed.map(|group| group.name.clone()).collect()
@@ -347,14 +347,19 @@ mod tests {
             members: vec![member.into()],
         };
         let policy = Policy {
-            groups: vec![group("ADA", "eve"), group("eve", "eve"), group("T", "ada")],
+            groups: vec![
+                group("ADA", "eve"),
+                group("a-da", "eve"),
+                group("eve", "eve"),
+                group("T", "ada"),
+            ],
             ..Policy::default()
         };
         let people = ["ada", "eve"].map(|id| Person {
             id: id.into(),
             ..Person::default()
         });
-        assert_eq!(policy.misnamed_groups(&people), ["ADA"]);
+        assert_eq!(policy.misnamed_groups(&people), ["ADA", "a-da"]);
     }
 
     #[test]

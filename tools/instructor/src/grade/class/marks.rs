@@ -90,9 +90,9 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             strangers,
         ),
         (
-            "groups whose name is also the id or login of a person who is not in the group: work \
-             handed in under that name counts as that person's; rename these groups in the table \
-             of groups",
+            "groups whose name is like the id or login of a person who is not in the group: work \
+             handed in under that name may count as that person's; rename these groups in the \
+             table of groups",
             true,
             policy.misnamed_groups(people),
         ),

@@ -99,7 +99,7 @@ fn has_assigned_id(person: &Person) -> bool {
 
 /// The people with this id or login, as the university assigned them. Only if nobody has it, those
 /// whose id or login has the same letters and digits. Unless it is an id, nobody knows whether
-/// people who have chosen it on GitHub are meant instead.
+/// people who have chosen it on GitHub, or for their group, are meant instead.
 fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let with = |is: &dyn Fn(&String) -> bool| -> Vec<&'a Person> {
         let whole = |person: &&Person| {
@@ -109,13 +109,23 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     };
     let is_same = |own: &String| own.eq_ignore_ascii_case(id);
     let mut found = with(&is_same);
-    if found.is_empty() {
+    let is_exact = !found.is_empty();
+    if !is_exact {
         let id = folded(id);
         found = with(&|own| !id.is_empty() && is_folded(&id, own));
     }
     let has_this_id = |person: &&Person| has_assigned_id(person) && is_same(&person.id);
     if !found.is_empty() && !found.iter().any(has_this_id) {
-        found.extend(people.iter().filter(|it| has_github(it, id)));
+        // A name that is only alike puts in doubt only what is itself only alike.
+        let is_contested = |it: &&Person| {
+            let is_theirs = !is_exact || it.group.as_ref().is_some_and(is_same);
+            is_theirs && found.iter().all(|own| own.group != it.group)
+        };
+        let on_github = people.iter().filter(|it| has_github(it, id));
+        let in_group = calling_themselves(id, people, |it| it.group.as_ref());
+        let chosen = on_github.chain(in_group.filter(is_contested));
+        let chosen: Vec<_> = chosen.filter(|it| !found.contains(it)).collect();
+        found.extend(chosen);
     }
     found
 }
@@ -163,6 +173,11 @@ pub fn is_id(name: &str, people: &[Person]) -> bool {
     let is = |own: &String| own.eq_ignore_ascii_case(name);
     let mut people = people.iter();
     people.any(|it| has_assigned_id(it) && is(&it.id) || it.logins.iter().any(is))
+}
+
+/// Whether this is such an id or login, or has the same letters and digits as one.
+pub fn is_like_id(name: &str, people: &[Person]) -> bool {
+    !with_id(name, people).is_empty()
 }
 
 /// Whether somebody else has this login, too. People choose theirs on GitHub.

@@ -343,6 +343,28 @@ fn an_address_is_not_confused_with_one_that_has_the_same_letters() {
 }
 
 #[test]
+fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
+    let mut people = people();
+    people[0].logins = vec!["al123".into()];
+    people[1].group = Some("AL-123".into());
+    people[2].group = Some("S-1".into());
+    for (name, member) in [("AL-123", 1), ("S-1", 2)] {
+        let placed = place(&entries(&[name]), Some(&people));
+        assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
+        assert!(
+            placed.ambiguous[name].contains(&people[member]),
+            "{placed:?}"
+        );
+    }
+    // Nobody contests an id, and it does not matter which member of a group is meant.
+    people[1].group = people[0].logins.first().cloned();
+    people[0].group = people[1].group.clone();
+    let placed = place(&entries(&["s1", "al123"]), Some(&people));
+    assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
+    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+}
+
+#[test]
 fn a_login_on_github_that_is_anothers_login_means_neither() {
     let mut people = people();
     people[0].logins = vec!["al123".into()];
