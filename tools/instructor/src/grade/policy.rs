@@ -222,7 +222,7 @@ fn times_in(
 enum GroupKey<'a> {
     /// The platform's number.
     Number(&'a str),
-    /// If there is no number, the name exactly as it is written.
+    /// The group's name as it is written, if there is no number.
     Name(&'a str),
 }
 

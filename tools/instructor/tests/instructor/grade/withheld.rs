@@ -294,7 +294,7 @@ fn changed_goldens_are_refused_for_grading() {
     on_small_assignment(&["grade", &ada, "--out", &out, "--fresh", &mine])
         .expect_code(2)
         .expect_err("other users can read or replace");
-    // Whoever made a link that leads nowhere could make it lead to other goldens later.
+    // Somebody may still decide what a link to a missing folder leads to.
     let link = class.path("link");
     std::os::unix::fs::symlink(class.path("absent"), &link).expect("there is room");
     for option in ["--fresh", "--golden"] {
