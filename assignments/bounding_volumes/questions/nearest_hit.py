@@ -21,14 +21,14 @@ def triangles(rng, count, spread, size):
 
 def through(rng, corners, *, largest=2, hit=0.8, min_t=0.0):
     """A ray through the mesh from outside, aimed at a triangle with probability `hit`. One in three
-    has a short direction, so that t is large."""
+    has a very short or very long direction, so that t is large or small."""
     middle, reach = corners.mean(axis=(0, 1)), np.ptp(corners.reshape(-1, 3), axis=0).max()
     origin = middle + 2 * reach * unit_vector(rng)
     if rng.uniform() < hit:
         target = rng.choice(corners).T @ rng.dirichlet((2, 2, 2))
     else:
         target = middle + reach * rng.uniform(-0.7, 0.7, 3)
-    length = log_uniform(rng, 1e-6, 1) if rng.uniform() < 1 / 3 else rng.uniform(0.3, 2)
+    length = log_uniform(rng, 1e-9, 1e9) if rng.uniform() < 1 / 3 else rng.uniform(0.3, 2)
     direction = (target - origin) * length
     share = min_t(rng) if callable(min_t) else min_t
     t = np.linalg.norm(target - origin) / np.linalg.norm(direction)

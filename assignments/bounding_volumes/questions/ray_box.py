@@ -115,9 +115,9 @@ def flat(rng):
 
 
 def direction_length(rng):
-    """Directions whose length is anything from a thousandth to a thousand."""
+    """Directions whose length is anything from a billionth to a thousand."""
     shape = box(rng)
-    return aim(rng, shape, target(rng, shape), length=log_uniform(rng, 1e-3, 1e3))
+    return aim(rng, shape, target(rng, shape), length=log_uniform(rng, 1e-9, 1e3))
 
 
 def scale(rng):
