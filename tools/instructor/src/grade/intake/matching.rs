@@ -56,7 +56,15 @@ fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     ];
     let found = folds.iter().map(|(fold, fold_roster)| {
         let person = fold(name);
-        let is = |other: &&Person| turned(&other.name, fold_roster).contains(&person);
+        // An uploader can make a name that can be read in a hundred ways, and each is compared with
+        // everyone. So first compare lengths, which copies nothing.
+        let is_as_long = |other: &str| {
+            let letters = other.bytes().filter(u8::is_ascii_alphanumeric);
+            !other.is_ascii() || letters.count() == person.len()
+        };
+        let is = |other: &&Person| {
+            is_as_long(&other.name) && turned(&other.name, fold_roster).contains(&person)
+        };
         people.iter().filter(is).collect::<Vec<_>>()
     });
     found
@@ -180,10 +188,10 @@ pub fn is_like_id(name: &str, people: &[Person]) -> bool {
     !with_id(name, people).is_empty()
 }
 
-/// Whether somebody else has this login, too. People choose theirs on GitHub.
+/// Whether somebody else has this login or id, too. People choose their logins on GitHub.
 pub fn is_anothers_login(login: &str, person: &Person, people: &[Person]) -> bool {
     let others = people.iter().filter(|other| other.id != person.id);
-    let mut logins = others.flat_map(Person::all_logins);
+    let mut logins = others.flat_map(|other| other.all_logins().chain([&other.id]));
     logins.any(|own| own.eq_ignore_ascii_case(login))
 }
 

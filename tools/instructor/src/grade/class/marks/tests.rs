@@ -137,7 +137,7 @@ fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() 
         person.github = Some(github.into());
     }
     roll.place();
-    let marks = |times: [(&str, u32); 3]| {
+    let marks = |roll: &Roll, times: [(&str, u32); 3]| {
         let mut roll = roll.clone();
         let policy = roll.policy.as_mut().expect("it has one");
         for (login, day) in times {
@@ -153,13 +153,22 @@ fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() 
         (points, listed)
     };
     // The table has logins on GitHub, and eve is late.
-    let (points, listed) = marks([("countess", 20), ("bob", 20), ("al123", 25)]);
+    let (points, listed) = marks(&roll, [("countess", 20), ("bob", 20), ("al123", 25)]);
     assert_eq!(points, [60.0; 3]);
     assert_eq!(listed, ["eve: al123"]);
     // The table has the university's logins, and ada is late.
-    let (points, listed) = marks([("al123", 25), ("bb9", 25), ("em7", 20)]);
+    let (points, listed) = marks(&roll, [("al123", 25), ("bb9", 25), ("em7", 20)]);
     assert_eq!(points, [60.0, 10.0, 60.0]);
     assert_eq!(listed, ["ada: al123"]);
+    // The roster has no logins of the university, and eve calls herself by ada's id.
+    for person in roll.people.iter_mut().flatten() {
+        person.logins.clear();
+        person.github = (person.id == "eve").then(|| "ada".into());
+    }
+    roll.place();
+    let (points, listed) = marks(&roll, [("ada", 20), ("bob", 20), ("eve", 25)]);
+    assert_eq!(points, [60.0; 3]);
+    assert_eq!(listed, ["eve: ada"]);
 }
 
 #[test]
