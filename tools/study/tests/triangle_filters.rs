@@ -1,8 +1,11 @@
 //! Tests that the filter of triangles agrees with exact arithmetic, for rays ever closer to an edge
 //! and for numbers so small or so large that products underflow or overflow.
 
+use pinhole_study::cast::model::Exact;
+use pinhole_study::cast::world::{PROVEN_T, View, World};
+use pinhole_study::cast::{Caster, Tally};
 use pinhole_study::kernel::sphere::ScaledRay;
-use pinhole_study::kernel::{Filtered, decided};
+use pinhole_study::kernel::{Camera, Filtered, decided};
 use pinhole_study::number::ROOT_OF_UNIT;
 use pinhole_study::random::Random;
 use pinhole_study::root::rounded;
@@ -92,4 +95,52 @@ fn overflowing_volumes_are_left_to_exact_arithmetic() {
             checked(&Triangle { corners }, &Ray { origin, direction }, 0.0);
         }
     }
+}
+
+/// The normal of a needle is a small difference of large products, so most of its digits cancel.
+/// Some rays are nearly parallel to it.
+#[test]
+fn filter_for_a_camera_computes_t_of_needles_as_accurately_as_promised() {
+    let mut random = Random::new(1, "needles");
+    let mut decided_by_filter = 0;
+    for _ in 0..20_000 {
+        let [a, along, aside, upward] = [0; 4].map(|_| random.unit());
+        let mut tiny = || 10f64.powf(random.within(-11.0, 0.0));
+        let (thin, back) = (tiny(), along + aside + upward * tiny());
+        let corners = [a, a + along, a + along * 0.5 + aside * thin];
+        let target = (corners[0] + corners[1] + corners[2]) * (1.0 / 3.0);
+        let (origin, direction) = (target + back * 3.0, back * -1.7);
+        let ray = Ray { origin, direction };
+        let truth = rounded(Triangle { corners }.exact(&ray, 0.0));
+        let beside = Ray {
+            origin: origin + along,
+            direction,
+        };
+        let cameras = [
+            Camera::Perspective { eye: origin },
+            Camera::orthographic(&[ray, beside], origin + along * 0.5),
+        ];
+        for camera in cameras {
+            let mut world = World::default();
+            world.add(0, Triangle { corners }.into());
+            let accuracy = f64::INFINITY;
+            let caster = Caster::new(world, Some(View { camera, accuracy }), false);
+            let mut tally = Tally::default();
+            let found = match camera.eye() {
+                Some(_) => caster.first::<Exact<true>>(&ray, 0.0, &mut tally),
+                None => caster.first::<Exact<false>>(&ray, 0.0, &mut tally),
+            };
+            let t = found.map(|found| found.t);
+            let is_right = match (t, truth) {
+                (Some(t), Some(truth)) => (t - truth).abs() <= PROVEN_T * truth,
+                (t, truth) => t == truth,
+            };
+            assert!(
+                is_right,
+                "{t:?} instead of {truth:?}: {corners:?} {ray:?} {camera:?}"
+            );
+            decided_by_filter += u64::from(truth.is_some() && tally.semi_static == 0);
+        }
+    }
+    assert!(decided_by_filter > 15_000, "{decided_by_filter}");
 }

@@ -223,11 +223,13 @@ impl World {
             };
             part.limits = of_each!(&part.shape, shape => shape.limits(away, distance, accuracy));
             part.from_camera = PartFromCamera::new(&part.shape, &view.camera);
+            let limits = &mut part.limits;
             if let Some(PartFromCamera::Sphere(sphere)) = &part.from_camera {
-                let limits = &mut part.limits;
-                limits.divisor = limits
-                    .divisor
-                    .min(sphere.divisor(distance, accuracy, limits));
+                let divisor = sphere.divisor(distance, accuracy, limits);
+                limits.divisor = limits.divisor.min(divisor);
+            }
+            if let Primitive::Triangle(triangle) = &part.shape {
+                *limits = TriangleFromCamera::limits(triangle, away, accuracy, *limits);
             }
         }
     }

@@ -1,5 +1,6 @@
+use crate::double_double::DoubleDouble;
 use crate::kernel::{Camera, Limits, ScaledQuery};
-use crate::number::Real;
+use crate::number::{Real, TINY, U};
 use crate::shape::{Ray, Triangle};
 use crate::vector::Vector;
 
@@ -34,10 +35,17 @@ impl Affine {
 ///    of m is at most 32u M, which contributes 96u M (A + M). The roundings of p − o and of the
 ///    first dot product add 88u M (A + M), those of e − o, at most A/4, and of the second 22u M
 ///    A, and the sum's 24u M (A + M).
-/// 3. Both are below 256u M (A + M), which [`Filtered::limits`] allows. It also allows 256u M² for
-///    the determinant d·n with n = (b − a) × (c − a), whose error is at most 84u M², and 256u A
-///    M² for the volume n·(a − e), whose error is at most 69u A M². Underflow and overflow are
+/// 3. Both are below 256u M (A + M), which [`Filtered::limits`] allows. Underflow and overflow are
 ///    covered there, too; q and the slopes are only scaled by powers of two.
+/// 4. t is n·(a − e) / n·d with n = (b − a) × (c − a). What the camera fixes is computed in
+///    double-double arithmetic and rounded once: n, with an error of at most u|n| + 32u² M² in each
+///    component, and products with n, where 288u² A M² or 576u² M² are added (see
+///    [`refined`](crate::cast::refined)). Let N = |n|∞. In a perspective, the error of n·d is at
+///    most 30u N + 192u² M², and that of n·(a − e) at most 3u A N + 288u² A M². For parallel rays,
+///    that of n·d is at most 6u N + 576u² M², and that of n·(a − e) at most 12u A N + 320u² A M²:
+///    3u A N for each of the offset and the sum, and the rest for n·(e − o). If N is computed
+///    with rounding, it is off by less than 9u M². So [`TriangleFromCamera::limits`] allows 32u N
+///    + 1024u² M², and A times as much.
 ///
 /// [`Filtered::limits`]: crate::kernel::Filtered::limits
 #[derive(Clone, Copy, Debug)]
@@ -52,12 +60,13 @@ impl TriangleFromCamera {
     /// The constants of a triangle.
     pub fn new(triangle: &Triangle<f64>, camera: &Camera) -> TriangleFromCamera {
         let [a, b, c] = triangle.corners;
-        let n = (b - a).cross(c - a);
+        let n = Vector::between(b, a).cross(Vector::between(c, a));
+        let height = |from| n.dot(Vector::between(a, from)).high;
         let zero = Vector::default();
         // A function of the origin e, of which q is the scaled distance from o.
-        let falling = |normal: Vector<f64>, point: Vector<f64>, o, exponent: i32| Affine {
+        let falling = |normal: Vector<f64>, offset, exponent: i32| Affine {
             slope: normal.map(|x| -x.times_power_of_two(exponent)),
-            offset: normal.dot(point - o),
+            offset,
         };
         let constant = |offset| Affine {
             slope: zero,
@@ -68,20 +77,41 @@ impl TriangleFromCamera {
         match *camera {
             Camera::Perspective { eye } => TriangleFromCamera {
                 sides: sides.map(|(p, end)| linear((p - eye).cross(end - p))),
-                determinant: linear(n),
-                volume: constant(n.dot(a - eye)),
+                determinant: linear(n.rounded()),
+                volume: constant(height(eye)),
             },
             Camera::Orthographic {
                 scaled, exponent, ..
             } => {
                 let Ray { origin, direction } = scaled.ray;
+                let side = |(p, end): (Vector<f64>, Vector<f64>)| {
+                    let normal = (end - p).cross(direction);
+                    falling(normal, normal.dot(p - origin), exponent)
+                };
                 TriangleFromCamera {
-                    sides: sides
-                        .map(|(p, end)| falling((end - p).cross(direction), p, origin, exponent)),
-                    determinant: constant(n.dot(direction)),
-                    volume: falling(n, a, origin, exponent),
+                    sides: sides.map(side),
+                    determinant: constant(n.dot(direction.map(DoubleDouble::from)).high),
+                    volume: falling(n.rounded(), height(origin), exponent),
                 }
             }
+        }
+    }
+
+    /// The limits of [`super::adaptive`] for the same `away` and `accuracy`, with smaller ones for t.
+    pub fn limits(triangle: &Triangle<f64>, away: f64, accuracy: f64, limits: Limits) -> Limits {
+        let [a, b, c] = triangle.corners;
+        let (e1, e2) = (b - a, c - a);
+        let size = e1.largest().max(e2.largest());
+        let lost = 32.0 * U * e1.cross(e2).largest() + 1024.0 * U * U * size * size;
+        let good = |error: f64, limit: f64| match limit.is_finite() {
+            true => 2.0 / accuracy * (error + 64.0 * TINY * (1.0 + size + away)),
+            // Something may have overflowed.
+            false => limit,
+        };
+        Limits {
+            divisor: good(lost, limits.divisor),
+            dividend: good(lost * away, limits.dividend),
+            ..limits
         }
     }
 
