@@ -285,10 +285,9 @@ fn late_days_in(path: &Path) -> Result<Vec<(String, u32)>> {
             table.needed_column(&["id"])?,
             table.needed_column(&["latedays"])?,
         );
-        let rows = table
-            .rows
-            .iter()
-            .filter(|(_, row)| !cell(row, days).is_empty());
+        // Submissions that belong to nobody have lines without an id.
+        let has_both = |row| !cell(row, id).is_empty() && !cell(row, days).is_empty();
+        let rows = table.rows.iter().filter(|(_, row)| has_both(row));
         let of = |(line, row): &(u64, csv::StringRecord)| {
             let days = cell(row, days).parse();
             let days = days.map_err(|_| format!("line {line}: late_days is not a number"))?;
@@ -522,7 +521,8 @@ mod tests {
         let folder = tempfile::tempdir().expect("there is room");
         let ids = ["ada", "-mal@example.org", "=eve;+1"];
         let lines = ids.map(|id| format!("{},2\n", printable_cell(id)));
-        let grades = format!("id,late_days\n{}", lines.concat());
+        let of_nobody = ",0\n";
+        let grades = format!("id,late_days\n{of_nobody}{}", lines.concat());
         fs::write(folder.path().join("grades.csv"), grades).expect("there is room");
         let rules = folder.path().join("policy.toml");
         let budget = "[late_days]\nbudget = 3\nspent = ['grades.csv']\n";

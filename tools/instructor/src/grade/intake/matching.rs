@@ -229,16 +229,47 @@ fn words(text: &str) -> Vec<String> {
     words.map(folded).filter(|word| !word.is_empty()).collect()
 }
 
-/// The people whose id is one of a text's words.
+/// Whether a text contains another as whole words. Both are in lower case.
+fn contains(text: &str, own: &str) -> bool {
+    let is_edge = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
+    let is_whole = |at: usize| {
+        let (before, after) = (&text[..at], &text[at + own.len()..]);
+        is_edge(before.chars().next_back()) && is_edge(after.chars().next())
+    };
+    !own.is_empty() && text.match_indices(own).any(|(at, _)| is_whole(at))
+}
+
+/// The people whose id or login, as the university assigned them, is one of a text's words or
+/// several of them.
 fn with_id_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
-    let mut found: Vec<&Person> = Vec::new();
+    let lower = text.to_ascii_lowercase();
+    let has_words = |own: &String| {
+        let is_word = own.chars().all(char::is_alphanumeric);
+        !is_word && contains(&lower, &own.to_ascii_lowercase())
+    };
+    let of_words = people.iter().filter(|person| {
+        has_assigned_id(person) && has_words(&person.id) || person.logins.iter().any(has_words)
+    });
     let words = words(text);
-    for person in words.iter().flat_map(|word| with_any_login(word, people)) {
-        if !found.contains(&person) {
-            found.push(person);
-        }
-    }
-    found
+    let of_one = words.iter().flat_map(|word| with_id(word, people));
+    of_one.chain(of_words).collect()
+}
+
+/// The people who have chosen a login or an address that is among a text's words.
+fn with_chosen_login_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let text = text.to_ascii_lowercase();
+    let is_there = |person: &&Person| {
+        let mut chosen = chosen_logins(person);
+        chosen.any(|own| contains(&text, &own.to_ascii_lowercase()))
+    };
+    people.iter().filter(is_there).collect()
+}
+
+/// What people may have chosen themselves: logins on GitHub, and the beginnings of addresses.
+fn chosen_logins(person: &Person) -> impl Iterator<Item = &str> {
+    let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
+    let locals = addresses.map(|(local, _)| local);
+    locals.chain(person.github.as_deref())
 }
 
 /// The people whose name is among a text's words, as in `homework1-adalovelace`.
@@ -287,18 +318,26 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
         } => account(number, name, *may_be_group, people),
         Sign::Plain(name) => {
             let by_id = || with_id(name, people);
+            let by_assigned = || with_id_among(name, people);
             let by_login = || with_chosen_login(name, people);
-            // A chosen login or group name may be made to look like somebody's name, or
-            // like the assignment's title and somebody's login. Then nobody knows which is meant.
+            // A chosen name or login may be made to look like the title and somebody's id, or like
+            // somebody's name and a remark. Then nobody knows which is meant.
             let by_name = || {
                 let mut found = named(name, people);
-                if found.is_empty() {
+                let is_written_so = |person: &&Person| is_written_as(name, &person.name);
+                if !found.is_empty() && !found.iter().all(is_written_so) {
+                    found.extend(named_among(name, people));
+                }
+                if found.is_empty() && owners().next().is_some() {
                     found.extend(owners());
+                    found.extend(named_among(name, people));
+                    found.extend(with_chosen_login_among(name, people));
                 }
                 found.extend(calling_themselves(name, people, |it| it.github.as_ref()));
                 found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
                 if !found.is_empty() {
                     found.extend(by_login());
+                    found.extend(by_assigned());
                 }
                 found
             };
@@ -310,20 +349,45 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 true => Proof::Name,
                 false => Proof::Id,
             };
-            let by_word = || with_id_among(name, people);
-            let by_words = || named_among(name, people);
+            let by_part = || {
+                let mut found = with_chosen_login_among(name, people);
+                found.extend(named_among(name, people));
+                found
+            };
+            // The title of an assignment comes first, and anybody may have chosen a word of it.
+            let is_last = |person: &&Person| {
+                let lower = name.to_ascii_lowercase();
+                chosen_logins(person).any(|own| lower.ends_with(&own.to_ascii_lowercase()))
+            };
+            let by_part_proof = match by_part().iter().all(is_last) {
+                true => Proof::Name,
+                false => Proof::Hint,
+            };
             let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
                 (Proof::Id, &by_id),
                 (by_name_proof, &by_name),
                 (Proof::Name, &by_login),
-                (Proof::Name, &by_word),
-                (Proof::Hint, &by_words),
+                (Proof::Name, &by_assigned),
+                (by_part_proof, &by_part),
             ];
             let found = ways.into_iter().map(|(proof, find)| (proof, find()));
             let mut found = found.filter(|(_, found)| !found.is_empty());
             found.next().unwrap_or((Proof::Hint, Vec::new()))
         }
     }
+}
+
+/// Whether a text is a person's name as the roster writes it, with the last name first or last.
+fn is_written_as(text: &str, name: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| c.is_whitespace() || c == ',');
+        let words = words.filter(|word| !word.is_empty());
+        words
+            .map(|word| word.nfc().collect::<String>().to_lowercase())
+            .collect()
+    };
+    let (text, name) = (words(text), words(name));
+    (0..name.len()).any(|k| [&name[k..], &name[..k]].concat() == text)
 }
 
 /// Whether two names have a word in common.

@@ -50,9 +50,20 @@ impl Placement {
     }
 }
 
-/// The people that an entry may belong to, each once, and how well that is proved.
-fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
-    let all: Vec<_> = entry.signs.iter().map(|sign| meant(sign, people)).collect();
+/// The people that an entry may belong to, each once, and how well that is proved. Those in `common`
+/// are left out if others remain.
+fn owners<'a>(
+    entry: &Entry,
+    people: &'a [Person],
+    common: &BTreeSet<&str>,
+) -> (Proof, Vec<&'a Person>) {
+    let is_rare = |person: &&&Person| !common.contains(&*person.id);
+    let of_sign = |sign: &Sign| {
+        let (proof, found) = meant(sign, people);
+        let rare: Vec<_> = found.iter().filter(is_rare).copied().collect();
+        (proof, if rare.is_empty() { found } else { rare })
+    };
+    let all: Vec<_> = entry.signs.iter().map(of_sign).collect();
     let mut found: Vec<&Person> = Vec::new();
     for person in all.iter().flat_map(|(_, found)| found) {
         if !found.contains(person) {
@@ -74,11 +85,37 @@ fn owners<'a>(entry: &Entry, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
     (proof.min(entry.at_most), found)
 }
 
-/// Whether a title begins with another title. The rest of it is then a part of the login: beside
-/// `HW1_ada`, the login in `HW1_x_bob` is not `bob`, but `x_bob`.
-fn is_overlong(title: &str, titles: &BTreeSet<&str>) -> bool {
-    let mut others = titles.iter();
-    others.any(|other| *other != title && title.starts_with(other))
+/// The people whom most entries may mean, besides somebody else each time. They have chosen a login
+/// or a name that is a part of the title, such as `ray` in `ray-casting-ada`.
+fn common<'a>(entries: &[Entry], people: &'a [Person]) -> BTreeSet<&'a str> {
+    let mut besides: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+    for entry in entries {
+        let (_, found) = owners(entry, people, &BTreeSet::new());
+        for person in &found {
+            let others = found.iter().filter(|other| *other != person);
+            let besides = besides.entry(&person.id).or_default();
+            besides.extend(others.map(|other| &*other.id));
+        }
+    }
+    let is_common = |(id, others): (&'a str, BTreeSet<_>)| {
+        (others.len() > 1 && 2 * others.len() > entries.len()).then_some(id)
+    };
+    besides.into_iter().filter_map(is_common).collect()
+}
+
+/// The titles that are certain, and the people after whose logins they stand.
+type Titles = BTreeMap<String, BTreeSet<String>>;
+
+/// Whether a title is a part of another that is more frequent, or begins with one that is at least
+/// as frequent. Beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`, but `x_bob`.
+fn is_doubtful(title: &str, titles: &Titles) -> bool {
+    let people = |title: &str| titles.get(title).map_or(0, BTreeSet::len);
+    let own = people(title);
+    let mut others = titles.keys().filter(|other| *other != title);
+    others.any(|other| {
+        other.starts_with(title) && people(other) > own
+            || title.starts_with(&**other) && people(other) >= own
+    })
 }
 
 /// Finds the person of each submission. Without a roster, it finds nobody.
@@ -88,36 +125,38 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let title = |entry: &Entry| -> Option<String> {
-        let titled = entry.signs.iter().flat_map(|sign| titled(sign, people));
-        titled.map(|(title, _)| title.to_owned()).next()
+    let titled_by = |entry: &Entry| -> Vec<(String, String)> {
+        let all = entry.signs.iter().flat_map(|sign| titled(sign, people));
+        let owned = |(title, person): (&str, &Person)| (title.to_owned(), person.id.clone());
+        all.map(owned).collect()
     };
-    // An archive's author may have chosen a title that makes all others overlong, and so may
+    // An archive's author may have chosen a title that makes all others doubtful, and so may
     // somebody whose login on GitHub can be read as the end of a title and another login.
-    let is_sure = |entry: &&Entry| {
-        let titled = entry.signs.iter().flat_map(|sign| titled(sign, people));
-        entry.at_most == Proof::Id && titled.take(2).count() == 1
-    };
-    let sure = entries.iter().filter(is_sure);
-    let titles: BTreeSet<String> = sure.filter_map(title).collect();
-    let titles: BTreeSet<&str> = titles.iter().map(String::as_str).collect();
+    let mut titles = Titles::new();
+    for entry in entries.iter().filter(|entry| entry.at_most == Proof::Id) {
+        if let [(title, person)] = &titled_by(entry)[..] {
+            let people = titles.entry(title.clone()).or_default();
+            people.insert(person.clone());
+        }
+    }
     // If no other name begins like this, nothing shows where the title ends and the login begins.
-    let is_lone = |title: &&str| {
+    let is_lone = |title: &String| {
         let names = entries.iter().filter(|entry| entry.name.starts_with(title));
         names.take(2).count() < 2
     };
-    let lone: BTreeSet<&str> = titles.iter().copied().filter(is_lone).collect();
+    let lone: BTreeSet<&String> = titles.keys().filter(|title| is_lone(title)).collect();
+    let common = common(entries, people);
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
-        let (mut proof, found) = owners(entry, people);
-        let title = title(entry);
-        if title.as_ref().is_some_and(|it| lone.contains(&**it)) {
+        let (mut proof, found) = owners(entry, people, &common);
+        let title = titled_by(entry).into_iter().next().map(|(title, _)| title);
+        if title.as_ref().is_some_and(|it| lone.contains(it)) {
             proof = proof.min(Proof::Name);
         }
-        let is_overlong = title.is_some_and(|title| is_overlong(&title, &titles));
+        let is_doubtful = title.is_some_and(|title| is_doubtful(&title, &titles));
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
-            [person] if proof > Proof::Hint && !is_overlong => {
+            [person] if proof > Proof::Hint && !is_doubtful => {
                 of.entry(&person.id)
                     .or_default()
                     .push((proof, entry, person));

@@ -64,7 +64,10 @@ impl Source<'_> {
 
     fn is_person(&self, name: &str) -> bool {
         let stem = file_names::stem(name);
-        !names::platforms(name).is_empty() || (self.is_on_roster)(stem)
+        // Somebody may have chosen `src` for a login.
+        let is_of_repository = REPOSITORY.contains(&name);
+        let is_on_roster = !is_of_repository && (self.is_on_roster)(stem);
+        is_on_roster || !names::platforms(name).is_empty()
     }
 
     /// Whether most of what is at the top has a person's name. A single other name, such as that of

@@ -384,3 +384,124 @@ fn a_login_on_github_that_is_anothers_login_means_neither() {
     assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
 }
+
+/// Whose each of these submissions is, by the last digit of the id; if that is not certain, the
+/// digits of all who come into question, in brackets.
+fn whose(names: &[&str], people: &[Person]) -> String {
+    let placed = place(&entries(names), Some(people));
+    let digits = |all: &[Person]| -> String {
+        let mut all: Vec<&str> = all.iter().map(|it| &it.id[it.id.len() - 1..]).collect();
+        all.sort();
+        all.concat()
+    };
+    let of = |name: &&str| match (placed.of.get(*name), placed.ambiguous.get(*name)) {
+        (Some(person), _) => digits(std::slice::from_ref(person)),
+        (None, Some(people)) => format!("[{}]", digits(people)),
+        (None, None) => "?".into(),
+    };
+    names.iter().map(of).collect()
+}
+
+/// A roster of Ada, Bob and Eve, with ids and logins on GitHub, and of Mallory, who has chosen
+/// something.
+fn with_mallory(chosen: fn(&mut Person, &str), what: &str) -> Vec<Person> {
+    let all = [
+        ("ab-1", "Ada Lovelace"),
+        ("cd-2", "Bob Babbage"),
+        ("gh-4", "Eve Evans"),
+    ];
+    let mut people = all.map(|(id, name)| person(id, name)).to_vec();
+    for (person, login) in people.iter_mut().zip(["ada", "bob", "hacker"]) {
+        person.github = Some(login.into());
+    }
+    people.push(person("ef-3", "Mallory Mallet"));
+    chosen(&mut people[3], what);
+    people
+}
+
+#[test]
+fn nobody_gets_a_submission_because_they_have_chosen_a_part_of_its_name() {
+    let github: fn(&mut Person, &str) = |it, what| it.github = Some(what.into());
+    let address: fn(&mut Person, &str) = |it, what| it.logins = vec![format!("{what}@x.org")];
+    let name: fn(&mut Person, &str) = |it, what| it.name = what.into();
+    let group: fn(&mut Person, &str) = |it, what| it.group = Some(what.into());
+    for (chosen, what, names, expected) in [
+        (github, "ab-1", &["hw1-ab-1", "hw1-cd-2"][..], "[13]2"),
+        (github, "1", &["hw1-ab-1", "hw1-cd-2"], "[13]2"),
+        (github, "late", &["ab-1-late", "cd-2"], "[13]2"),
+        (github, "late", &["hw1-ada-late", "hw1-bob"], "[13]2"),
+        (github, "late", &["Ada Lovelace-late", "cd-2"], "[13]2"),
+        (github, "main", &["hw1-ada-main"], "[13]"),
+        (address, "late", &["Eve Evans-late", "cd-2"], "[34]2"),
+        (
+            address,
+            "hw1",
+            &["hw1-nobody", "hw1-bob", "hw1-hacker"],
+            "[3]24",
+        ),
+        (
+            github,
+            "hw1",
+            &["hw1-nobody", "hw1-bob", "hw1-hacker"],
+            "[3]24",
+        ),
+        (name, "HW1 ab 1", &["HW1 ab-1", "cd-2"], "[13]2"),
+        (name, "HW1 ab 1", &["hw1_ab-1", "cd-2"], "[13]2"),
+        (group, "HW1 ab-1", &["HW1 ab-1", "cd-2"], "[13]2"),
+        (
+            name,
+            "Ada Lovelace late",
+            &["Ada Lovelace (late)", "cd-2"],
+            "[13]2",
+        ),
+        // But a whole name is that person's.
+        (
+            name,
+            "Ada Lovelace Mann",
+            &["Mann, Ada Lovelace", "cd-2"],
+            "32",
+        ),
+    ] {
+        let people = with_mallory(chosen, what);
+        assert_eq!(whose(names, &people), expected, "{what} {names:?}");
+    }
+}
+
+#[test]
+fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
+    let github: fn(&mut Person, &str) = |it, what| it.github = Some(what.into());
+    let address: fn(&mut Person, &str) = |it, what| it.logins = vec![format!("{what}@x.org")];
+    for (chosen, what, names, expected) in [
+        (
+            github,
+            "main",
+            &["hw-1-ada-main", "hw-1-bob-main"][..],
+            "12",
+        ),
+        (github, "hw", &["hw-1-ada", "hw-1-bob"], "12"),
+        (address, "hw", &["hw-1-ada", "hw-1-bob"], "12"),
+        (address, "hw", &["hw 1 ab-1", "hw 1 cd-2"], "12"),
+        (
+            address,
+            "hw",
+            &["hw_1_Ada Lovelace", "hw_1_Bob Babbage"],
+            "[1][2]",
+        ),
+        // Only her own submission is in doubt if her login seems to begin in the title.
+        (
+            github,
+            "1-mal",
+            &["hw-1-ada", "hw-1-bob", "hw-1-mal"],
+            "12[3]",
+        ),
+    ] {
+        let people = with_mallory(chosen, what);
+        assert_eq!(whose(names, &people), expected, "{what} {names:?}");
+    }
+    let mut people = with_mallory(address, "1_mal");
+    people[0].logins = vec!["ada@uni.edu".into()];
+    people[1].logins = vec!["bob@uni.edu".into()];
+    let names = ["ada", "bob", "mal"].map(|it| format!("HW_1_{it}_attempt_2026-11-20-23-00-00"));
+    let names = names.each_ref().map(String::as_str);
+    assert_eq!(whose(&names, &people), "12[3]");
+}

@@ -320,6 +320,15 @@ fn an_e_mail_address_elsewhere_puts_nobodys_submission_in_doubt() {
 }
 
 #[test]
+fn a_chosen_login_like_a_folder_of_the_handout_takes_nobodys_submission() {
+    let export = Export::new();
+    export.put_all("late/src", answers("", "ada"));
+    let list = "id,name,email\n1,Mallory Mann,src@x.org\n";
+    let (intake, placement) = placed(&export, &["late"], list);
+    assert_eq!(placement.unknown, [&*intake.entries[0].id]);
+}
+
+#[test]
 fn a_platforms_number_beside_another_name_is_listed() {
     let export = Export::new();
     let list = "id,name,number\n2001,Ada Lovelace,77\n2002,Mallory Mann,\n";
