@@ -35,8 +35,9 @@ def box(rng):
 
 
 def join(rng):
-    """Two boxes, which may overlap."""
-    return of_boxes(box(rng), box(rng))
+    """Two boxes, which may overlap; one in three pairs is far from the origin."""
+    away = log_uniform(rng, 10, 1e4) * unit_vector(rng) * (rng.uniform() < 1 / 3)
+    return of_boxes(box(rng) + away, box(rng) + away)
 
 
 def inside(rng):
