@@ -49,6 +49,7 @@ fn hostile_scenes_keep_their_promise() {
         "far_eye",
         "inside_huge_sphere",
         "nearly_a_line",
+        "corners_of_boxes",
     ] {
         keeps_its_promise(&hostile(name), &[1e-2, 1e-6, 1e-9, 1e-12, 1e-13]);
     }

@@ -23,6 +23,7 @@ use super::model::Model;
 use super::slabs::{Boxes, Frame, Slabs};
 use super::world::{Part, Primitive, World};
 use crate::kernel::ScaledQuery;
+use crate::random::Random;
 use crate::vector::{Vector, around};
 
 /// A node of the BVH8: eight boxes and their contents.
@@ -67,6 +68,32 @@ fn is_near(eye: &Vector<f64>, [low, high]: [Vector<f64>; 2]) -> bool {
     away <= 256.0 * (high - low).largest()
 }
 
+/// The binary tree over these boxes.
+///
+/// Where boxes are equal, or equally far apart, obvhs would merge only one pair at a time, which
+/// takes quadratic time. So it first gets boxes that are larger by up to eight units in the last
+/// place.
+fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
+    let mut random = Random::new(1, "boxes");
+    let unequal = boxes.iter().map(|bounds| {
+        let more = random.within(0.0, 8.0 * f64::from(f32::EPSILON)) as f32;
+        let more = more * bounds.min.abs().max(bounds.max.abs());
+        Aabb::new(bounds.min - more, bounds.max + more)
+    });
+    let one_each = BvhBuildParams {
+        max_prims_per_leaf: 1,
+        ..BvhBuildParams::fast_build()
+    };
+    let unequal: Vec<_> = unequal.collect();
+    let mut twos = build_bvh2(&unequal, one_each, &mut Duration::default());
+    for node in twos.nodes.iter_mut().filter(|node| node.is_leaf()) {
+        let part = twos.primitive_indices[node.first_index as usize];
+        node.set_aabb(boxes[part as usize]);
+    }
+    twos.refit_all();
+    twos
+}
+
 impl Tree {
     /// Builds the tree, and reorders the world's parts to match it.
     pub fn over(world: &mut World) -> Tree {
@@ -89,12 +116,7 @@ impl Tree {
                 let [low, high] = tree.frame.boxed(bounds);
                 Aabb::new(low.into(), high.into())
             });
-            let one_each = BvhBuildParams {
-                max_prims_per_leaf: 1,
-                ..BvhBuildParams::fast_build()
-            };
-            let boxes: Vec<_> = boxes.collect();
-            let twos = build_bvh2(&boxes, one_each, &mut Duration::default());
+            let twos = binary_tree(&boxes.collect::<Vec<_>>());
             let mut wide = WideTreeBuilder {
                 twos,
                 parts: &inside,
