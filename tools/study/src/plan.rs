@@ -10,8 +10,8 @@
 //!    [`refined`](crate::cast::refined).
 //! 4. [`description`](crate::summary::description) describes the plan in words.
 //!
-//! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to the
-//! nearest `f64`, which may be far from it. Nothing is sampled or timed, so the same scene has the
+//! All of this is proven for every ray, if t is a normal `f64`; any other t is rounded to an `f64`
+//! beside it, which may be far from it. Nothing is sampled or timed, so the same scene has the
 //! same plan on every machine.
 
 pub mod casting;

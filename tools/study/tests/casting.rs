@@ -178,6 +178,26 @@ fn plane_is_hit_if_scaling_the_direction_underflows() {
     assert_eq!(seen, Some((0, 0.5)));
 }
 
+/// `min_t` times the length of the direction is beyond the largest `f64`. The true t is as large,
+/// but is computed to be a little smaller.
+#[test]
+fn plane_is_hit_if_scaling_min_t_overflows() {
+    let plane = Primitive::Plane(Plane {
+        point: Vector::new(
+            -6.895782578993324e303,
+            -8.896027818089673e287,
+            -9.533687857970925e291,
+        ),
+        normal: Vector::new(1.591153435001304, -0.7955456837799035, 6.103515625e-5),
+    });
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(0.0, 0.0, -2f64.powi(1000)),
+    };
+    let seen = first(&world_of([plane]), &ray, 2f64.powi(24));
+    assert!(seen.is_some());
+}
+
 /// The box of the farther sphere is entered first. Its t, 1.45 times the smallest float, is
 /// rounded down to 1, before the nearer sphere's 1.3.
 #[test]
@@ -247,4 +267,36 @@ fn ray_without_a_direction_hits_nothing() {
         let seen = first(&world, &Ray { origin, direction }, 0.0);
         assert_eq!(seen, None);
     }
+}
+
+/// All boxes are entered at once, and each level of the tree leaves seven of them waiting. The
+/// smallest sphere is found last.
+#[test]
+fn smallest_of_hundreds_of_nested_spheres_is_seen_from_within() {
+    let ball = |power: i32| {
+        Primitive::Sphere(Sphere {
+            center: Vector::default(),
+            radius: 1.1f64.powi(power),
+        })
+    };
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(1.0, 0.5, 0.25),
+    };
+    let seen = first(&world_of((0..400).rev().map(ball)), &ray, 0.0);
+    assert_eq!(seen.map(|(place, _)| place), Some(399));
+}
+
+/// If the boxes were not made unequal, this would take minutes.
+#[test]
+fn tree_over_many_equal_boxes_is_built_soon() {
+    let triangle = Primitive::Triangle(Triangle {
+        corners: [0.0, 1.0, 2.0].map(|x| Vector::new(x, x * x, 1.0)),
+    });
+    let ray = Ray {
+        origin: Vector::default(),
+        direction: Vector::new(1.0, 1.5, 1.0),
+    };
+    let seen = first(&world_of(std::iter::repeat_n(triangle, 100_000)), &ray, 0.0);
+    assert_eq!(seen, Some((0, 1.0)));
 }

@@ -60,7 +60,9 @@ impl ScaledQuery {
         ScaledQuery {
             scaled,
             after: min_t * (1.0 + room) + 2.0 * TINY,
-            before: min_t * (1.0 - room) - 2.0 * TINY,
+            // Scaling may have taken `min_t` beyond the largest `f64`, and a t near that number is
+            // not certainly below.
+            before: min_t.min(f64::MAX) * (1.0 - room) - 2.0 * TINY,
         }
     }
 
