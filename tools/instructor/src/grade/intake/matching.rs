@@ -173,7 +173,9 @@ fn calling_themselves<'a>(
 
 /// Whether a name may be somebody's.
 pub fn is_somebody(name: &str, people: &[Person]) -> bool {
-    !meant(&Sign::Plain(name.into()), people).1.is_empty()
+    !meant(&Sign::Plain(name.into()), people, Title::default())
+        .1
+        .is_empty()
 }
 
 /// Whether this is the id or the login that the university gave to somebody.
@@ -195,9 +197,21 @@ pub fn is_anothers_login(login: &str, person: &Person, people: &[Person]) -> boo
     logins.any(|own| own.eq_ignore_ascii_case(login))
 }
 
-/// The people whose login ends a text, each with the title before the login. Whether the title
-/// is the assignment's is not known here.
-pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a Person)> {
+/// What most names in a class have before a login, and what they have after one. Both are a title of
+/// the assignment.
+#[derive(Clone, Copy, Default)]
+pub struct Title<'t> {
+    pub before: Option<&'t str>,
+    pub after: Option<&'t str>,
+}
+
+/// The people whose login ends a text, each with the title before the login. Only if none follows
+/// the assignment's title, all other ways to read it count.
+pub fn titled<'a, 't>(
+    sign: &'t Sign,
+    people: &'a [Person],
+    title: Title,
+) -> Vec<(&'t str, &'a Person)> {
     let (text, between, is) = match sign {
         Sign::Login(text) => (text, '_', has_login as fn(&Person, &str) -> bool),
         Sign::Plain(text) => (text, '-', has_github as fn(&Person, &str) -> bool),
@@ -208,7 +222,16 @@ pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a
         let own = people.iter().filter(move |person| is(person, &text[at..]));
         own.map(move |person| (&text[..at], person))
     };
-    ends.flat_map(of).collect()
+    let all: Vec<_> = ends.flat_map(of).collect();
+    let after_title: Vec<_> = all
+        .iter()
+        .filter(|it| Some(it.0) == title.before)
+        .copied()
+        .collect();
+    match after_title.is_empty() {
+        true => all,
+        false => after_title,
+    }
 }
 
 fn has_login(person: &Person, login: &str) -> bool {
@@ -296,16 +319,32 @@ fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .collect()
 }
 
+/// The people whose chosen login begins a name, each with what follows.
+pub fn begun<'a, 't>(name: &'t str, people: &'a [Person]) -> Vec<(&'a Person, &'t str)> {
+    let begins = |own: &str| {
+        let begin = name.get(..own.len())?;
+        let rest = &name[own.len()..];
+        (begin.eq_ignore_ascii_case(own) && !rest.starts_with(char::is_alphanumeric))
+            .then_some(rest)
+    };
+    let of = |person: &'a Person| {
+        let rests = chosen_logins(person).filter_map(begins);
+        rests.map(move |rest| (person, rest)).collect::<Vec<_>>()
+    };
+    people.iter().flat_map(of).collect()
+}
+
 /// The people that a sign may mean, and how much it proves if it means only one.
-pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
-    let owners = || titled(sign, people).into_iter().map(|(_, person)| person);
+pub fn meant<'a>(sign: &Sign, people: &'a [Person], title: Title) -> (Proof, Vec<&'a Person>) {
+    let titled = || titled(sign, people, title).into_iter();
+    let owners = || titled().map(|(_, person)| person);
     match sign {
         Sign::Login(text) => {
             let is_assigned = |(title, person): (&str, &Person)| {
                 let mut all = [&person.id].into_iter().chain(&person.logins);
                 all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
             };
-            let proof = match titled(sign, people).into_iter().all(is_assigned) {
+            let proof = match titled().all(is_assigned) {
                 true => Proof::Id,
                 false => Proof::Name,
             };
@@ -318,7 +357,6 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
         } => account(number, name, *may_be_group, people),
         Sign::Plain(name) => {
             let by_id = || with_id(name, people);
-            let by_assigned = || with_id_among(name, people);
             let by_login = || with_chosen_login(name, people);
             // A chosen name or login may be made to look like the title and somebody's id, or like
             // somebody's name and a remark. Then nobody knows which is meant.
@@ -328,16 +366,18 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 if !found.is_empty() && !found.iter().all(is_written_so) {
                     found.extend(named_among(name, people));
                 }
-                if found.is_empty() && owners().next().is_some() {
+                if found.is_empty() {
                     found.extend(owners());
-                    found.extend(named_among(name, people));
-                    found.extend(with_chosen_login_among(name, people));
+                    if titled().any(|(before, _)| Some(before) != title.before) {
+                        found.extend(named_among(name, people));
+                        found.extend(with_chosen_login_among(name, people));
+                    }
                 }
                 found.extend(calling_themselves(name, people, |it| it.github.as_ref()));
                 found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
                 if !found.is_empty() {
                     found.extend(by_login());
-                    found.extend(by_assigned());
+                    found.extend(with_id_among(name, people));
                 }
                 found
             };
@@ -354,14 +394,35 @@ pub fn meant<'a>(sign: &Sign, people: &'a [Person]) -> (Proof, Vec<&'a Person>) 
                 found.extend(named_among(name, people));
                 found
             };
-            // The title of an assignment comes first, and anybody may have chosen a word of it.
-            let is_last = |person: &&Person| {
+            // Anybody may have chosen a word of the title.
+            let is_all_but_title = |person: &&Person| {
                 let lower = name.to_ascii_lowercase();
-                chosen_logins(person).any(|own| lower.ends_with(&own.to_ascii_lowercase()))
+                let mut own = chosen_logins(person);
+                own.any(|own| lower.ends_with(&own.to_ascii_lowercase()))
+                    || begun(name, std::slice::from_ref(person))
+                        .iter()
+                        .any(|(_, rest)| Some(*rest) == title.after)
             };
-            let by_part_proof = match by_part().iter().all(is_last) {
+            let by_part_proof = match by_part().iter().all(is_all_but_title) {
                 true => Proof::Name,
                 false => Proof::Hint,
+            };
+            let is_outermost = |person: &&Person| {
+                let lower = name.to_ascii_lowercase();
+                let mut own = person.logins.iter().chain([&person.id]);
+                own.any(|own| {
+                    let own = own.to_ascii_lowercase();
+                    lower.starts_with(&own) || lower.ends_with(&own)
+                })
+            };
+            let by_assigned = || {
+                let mut found = with_id_among(name, people);
+                // Within the title, a number may equal somebody's id by chance.
+                if !found.is_empty() && !found.iter().any(is_outermost) {
+                    let chosen = with_chosen_login_among(name, people).into_iter();
+                    found.extend(chosen.filter(is_all_but_title));
+                }
+                found
             };
             let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
                 (Proof::Id, &by_id),

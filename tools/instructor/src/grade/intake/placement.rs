@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::matching::{Proof, meant, titled};
+use super::matching::{Proof, Title, begun, meant, titled};
 use super::names::Sign;
 use super::roster::Person;
 
@@ -55,11 +55,12 @@ impl Placement {
 fn owners<'a>(
     entry: &Entry,
     people: &'a [Person],
+    title: Title,
     common: &BTreeSet<&str>,
 ) -> (Proof, Vec<&'a Person>) {
     let is_rare = |person: &&&Person| !common.contains(&*person.id);
     let of_sign = |sign: &Sign| {
-        let (proof, found) = meant(sign, people);
+        let (proof, found) = meant(sign, people, title);
         let rare: Vec<_> = found.iter().filter(is_rare).copied().collect();
         (proof, if rare.is_empty() { found } else { rare })
     };
@@ -87,10 +88,10 @@ fn owners<'a>(
 
 /// The people whom most entries may mean, besides somebody else each time. They have chosen a login
 /// or a name that is a part of the title, such as `ray` in `ray-casting-ada`.
-fn common<'a>(entries: &[Entry], people: &'a [Person]) -> BTreeSet<&'a str> {
+fn common<'a>(entries: &[Entry], people: &'a [Person], title: Title) -> BTreeSet<&'a str> {
     let mut besides: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for entry in entries {
-        let (_, found) = owners(entry, people, &BTreeSet::new());
+        let (_, found) = owners(entry, people, title, &BTreeSet::new());
         for person in &found {
             let others = found.iter().filter(|other| *other != person);
             let besides = besides.entry(&person.id).or_default();
@@ -125,8 +126,9 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let titled_by = |entry: &Entry| -> Vec<(String, String)> {
-        let all = entry.signs.iter().flat_map(|sign| titled(sign, people));
+    let titled_by = |entry: &Entry, title: Title| -> Vec<(String, String)> {
+        let all = entry.signs.iter();
+        let all = all.flat_map(|sign| titled(sign, people, title));
         let owned = |(title, person): (&str, &Person)| (title.to_owned(), person.id.clone());
         all.map(owned).collect()
     };
@@ -134,7 +136,7 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     // somebody whose login on GitHub can be read as the end of a title and another login.
     let mut titles = Titles::new();
     for entry in entries.iter().filter(|entry| entry.at_most == Proof::Id) {
-        if let [(title, person)] = &titled_by(entry)[..] {
+        if let [(title, person)] = &titled_by(entry, Title::default())[..] {
             let people = titles.entry(title.clone()).or_default();
             people.insert(person.clone());
         }
@@ -145,11 +147,29 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         names.take(2).count() < 2
     };
     let lone: BTreeSet<&String> = titles.keys().filter(|title| is_lone(title)).collect();
-    let common = common(entries, people);
+    let mut after = Titles::new();
+    for entry in entries {
+        for (person, rest) in begun(&entry.name, people) {
+            let people = after.entry(rest.to_owned()).or_default();
+            people.insert(person.id.clone());
+        }
+    }
+    let most = |titles: &'_ Titles| {
+        let is_most = |people: &BTreeSet<_>| people.len() > 2 && 2 * people.len() > entries.len();
+        let found = titles.iter().find(|(_, people)| is_most(people));
+        found.map(|(title, _)| title.clone())
+    };
+    let (before, after) = (most(&titles), most(&after));
+    let certain = Title {
+        before: before.as_deref(),
+        after: after.as_deref(),
+    };
+    let common = common(entries, people, certain);
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
-        let (mut proof, found) = owners(entry, people, &common);
-        let title = titled_by(entry).into_iter().next().map(|(title, _)| title);
+        let (mut proof, found) = owners(entry, people, certain, &common);
+        let title = titled_by(entry, certain).into_iter().next();
+        let title = title.map(|(title, _)| title);
         if title.as_ref().is_some_and(|it| lone.contains(it)) {
             proof = proof.min(Proof::Name);
         }

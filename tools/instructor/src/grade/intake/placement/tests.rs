@@ -498,6 +498,23 @@ fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
         let people = with_mallory(chosen, what);
         assert_eq!(whose(names, &people), expected, "{what} {names:?}");
     }
+    // A number in the title may be somebody's id.
+    let mut people = with_mallory(address, "mal");
+    people[0].id = "1".into();
+    assert_eq!(whose(&["hw_1_mal"], &people), "[13]");
+    assert_eq!(whose(&["1_hw_mal"], &people), "1");
+    // After the title of most submissions, a login counts as a whole.
+    let people = with_mallory(github, "1-ada");
+    let three = ["hw-ada", "hw-bob", "hw-hacker", "hw-1-ada"];
+    assert_eq!(whose(&three, &people), "1243");
+    assert_eq!(whose(&three[2..], &people), "4[13]");
+    // So does a login before a title.
+    let mut people = with_mallory(address, "mal");
+    for (person, login) in people.iter_mut().zip(["al", "bb", "ee"]) {
+        person.logins = vec![format!("{login}@uni.edu")];
+    }
+    let names = ["al-hw-1", "bb-hw-1", "ee-hw-1", "mal-ab"];
+    assert_eq!(whose(&names, &people), "124[3]");
     let mut people = with_mallory(address, "1_mal");
     people[0].logins = vec!["ada@uni.edu".into()];
     people[1].logins = vec!["bob@uni.edu".into()];
