@@ -11,6 +11,7 @@ pub mod hand_in;
 pub mod matching;
 pub mod names;
 pub mod placement;
+pub mod plain;
 pub mod reader;
 pub mod roster;
 pub mod source;
@@ -111,7 +112,9 @@ pub fn find(
     assignment: &Assignment,
     people: Option<&[Person]>,
 ) -> Result<Intake> {
-    let is_on_roster = |name: &str| people.is_some_and(|it| matching::is_somebody(name, it));
+    let is_on_roster = |name: &str, or_chosen: bool| {
+        people.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
+    };
     let is_id = |name: &str| people.is_some_and(|it| matching::is_id(name, it));
     let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();
     let is_answer =

@@ -5,10 +5,11 @@ use unicode_normalization::UnicodeNormalization;
 use unicode_normalization::char::is_combining_mark;
 
 use super::names::Sign;
+use super::plain::Convention;
 use super::roster::Person;
 
 /// The letters and digits of a text in lower case, with accents composed.
-fn folded(text: &str) -> String {
+pub fn folded(text: &str) -> String {
     let composed: String = text.nfc().collect();
     let kept = composed.chars().filter(|c| c.is_alphanumeric());
     kept.flat_map(char::to_lowercase).collect()
@@ -16,7 +17,7 @@ fn folded(text: &str) -> String {
 
 /// Whether [`folded`] turns a text into this one. ASCII text is not copied for this, because every
 /// submission is compared with everyone on the roster.
-fn is_folded(folded_text: &str, text: &str) -> bool {
+pub fn is_folded(folded_text: &str, text: &str) -> bool {
     let plain = text.bytes().filter(u8::is_ascii_alphanumeric);
     match text.is_ascii() {
         true => plain
@@ -46,7 +47,7 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
 /// The people with this name. Platforms keep accents, drop them, or drop the letters that have
 /// them. So letters of the roster's name may be missing in this one. But if this one has a letter
 /// that the roster's lacks, it is somebody else's.
-fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+pub fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     type Fold<'f> = &'f dyn Fn(&str) -> String;
     let folds: [(Fold<'_>, Fold<'_>); 3] = [
@@ -101,14 +102,14 @@ pub enum Proof {
 }
 
 /// Whether the university assigned a person's id. A login on GitHub may stand in for one.
-fn has_assigned_id(person: &Person) -> bool {
+pub fn has_assigned_id(person: &Person) -> bool {
     person.github.as_ref() != Some(&person.id)
 }
 
 /// The people with this id or login, as the university assigned them. Only if nobody has it, those
 /// whose id or login has the same letters and digits. Unless it is an id, nobody knows whether
 /// people who have chosen it on GitHub, or for their group, are meant instead.
-fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
+pub fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let with = |is: &dyn Fn(&String) -> bool| -> Vec<&'a Person> {
         let whole = |person: &&Person| {
             has_assigned_id(person) && is(&person.id) || person.logins.iter().any(is)
@@ -140,7 +141,7 @@ fn with_id<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
 
 /// The people whose e-mail address begins like this, or who have this login on GitHub instead of an
 /// id. They may have chosen them.
-fn with_chosen_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
+pub fn with_chosen_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let login = folded(login);
     let is = |text: &str| !login.is_empty() && is_folded(&login, text);
     let has = |person: &&Person| {
@@ -161,7 +162,7 @@ fn with_any_login<'a>(login: &str, people: &'a [Person]) -> Vec<&'a Person> {
 }
 
 /// The people who have chosen this name for themselves or for their groups.
-fn calling_themselves<'a>(
+pub fn calling_themselves<'a>(
     name: &str,
     people: &'a [Person],
     of: fn(&Person) -> Option<&String>,
@@ -169,13 +170,6 @@ fn calling_themselves<'a>(
     let name = folded(name);
     let is = move |own: &String| !name.is_empty() && is_folded(&name, own);
     people.iter().filter(move |it| of(it).is_some_and(&is))
-}
-
-/// Whether a name may be somebody's.
-pub fn is_somebody(name: &str, people: &[Person]) -> bool {
-    !meant(&Sign::Plain(name.into()), people, Title::default())
-        .1
-        .is_empty()
 }
 
 /// Whether this is the id or the login that the university gave to somebody.
@@ -197,41 +191,17 @@ pub fn is_anothers_login(login: &str, person: &Person, people: &[Person]) -> boo
     logins.any(|own| own.eq_ignore_ascii_case(login))
 }
 
-/// What most names in a class have before a login, and what they have after one. Both are a title of
-/// the assignment.
-#[derive(Clone, Copy, Default)]
-pub struct Title<'t> {
-    pub before: Option<&'t str>,
-    pub after: Option<&'t str>,
-}
-
-/// The people whose login ends a text, each with the title before the login. Only if none follows
-/// the assignment's title, all other ways to read it count.
-pub fn titled<'a, 't>(
-    sign: &'t Sign,
-    people: &'a [Person],
-    title: Title,
-) -> Vec<(&'t str, &'a Person)> {
-    let (text, between, is) = match sign {
-        Sign::Login(text) => (text, '_', has_login as fn(&Person, &str) -> bool),
-        Sign::Plain(text) => (text, '-', has_github as fn(&Person, &str) -> bool),
-        Sign::Account { .. } => return Vec::new(),
+/// The people whose login ends what Blackboard writes, each with the title before the login.
+pub fn titled<'a, 't>(sign: &'t Sign, people: &'a [Person]) -> Vec<(&'t str, &'a Person)> {
+    let Sign::Login(text) = sign else {
+        return Vec::new();
     };
-    let ends = text.match_indices(between).map(|(at, _)| at + 1);
+    let ends = text.match_indices('_').map(|(at, _)| at + 1);
     let of = |at: usize| {
-        let own = people.iter().filter(move |person| is(person, &text[at..]));
+        let own = people.iter().filter(move |it| has_login(it, &text[at..]));
         own.map(move |person| (&text[..at], person))
     };
-    let all: Vec<_> = ends.flat_map(of).collect();
-    let after_title: Vec<_> = all
-        .iter()
-        .filter(|it| Some(it.0) == title.before)
-        .copied()
-        .collect();
-    match after_title.is_empty() {
-        true => all,
-        false => after_title,
-    }
+    ends.flat_map(of).collect()
 }
 
 fn has_login(person: &Person, login: &str) -> bool {
@@ -252,51 +222,8 @@ fn words(text: &str) -> Vec<String> {
     words.map(folded).filter(|word| !word.is_empty()).collect()
 }
 
-/// Whether a text contains another as whole words. Both are in lower case.
-fn contains(text: &str, own: &str) -> bool {
-    let is_edge = |c: Option<char>| !c.is_some_and(char::is_alphanumeric);
-    let is_whole = |at: usize| {
-        let (before, after) = (&text[..at], &text[at + own.len()..]);
-        is_edge(before.chars().next_back()) && is_edge(after.chars().next())
-    };
-    !own.is_empty() && text.match_indices(own).any(|(at, _)| is_whole(at))
-}
-
-/// The people whose id or login, as the university assigned them, is one of a text's words or
-/// several of them.
-fn with_id_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
-    let lower = text.to_ascii_lowercase();
-    let has_words = |own: &String| {
-        let is_word = own.chars().all(char::is_alphanumeric);
-        !is_word && contains(&lower, &own.to_ascii_lowercase())
-    };
-    let of_words = people.iter().filter(|person| {
-        has_assigned_id(person) && has_words(&person.id) || person.logins.iter().any(has_words)
-    });
-    let words = words(text);
-    let of_one = words.iter().flat_map(|word| with_id(word, people));
-    of_one.chain(of_words).collect()
-}
-
-/// The people who have chosen a login or an address that is among a text's words.
-fn with_chosen_login_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
-    let text = text.to_ascii_lowercase();
-    let is_there = |person: &&Person| {
-        let mut chosen = chosen_logins(person);
-        chosen.any(|own| contains(&text, &own.to_ascii_lowercase()))
-    };
-    people.iter().filter(is_there).collect()
-}
-
-/// What people may have chosen themselves: logins on GitHub, and the beginnings of addresses.
-fn chosen_logins(person: &Person) -> impl Iterator<Item = &str> {
-    let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
-    let locals = addresses.map(|(local, _)| local);
-    locals.chain(person.github.as_deref())
-}
-
 /// The people whose name is among a text's words, as in `homework1-adalovelace`.
-fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+pub fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let words = words(text);
     let whole = words.concat();
     let mut places = vec![0];
@@ -319,136 +246,32 @@ fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .collect()
 }
 
-/// The people whose chosen login begins a name, each with what follows.
-pub fn begun<'a, 't>(name: &'t str, people: &'a [Person]) -> Vec<(&'a Person, &'t str)> {
-    let begins = |own: &str| {
-        let begin = name.get(..own.len())?;
-        let rest = &name[own.len()..];
-        (begin.eq_ignore_ascii_case(own) && !rest.starts_with(char::is_alphanumeric))
-            .then_some(rest)
-    };
-    let of = |person: &'a Person| {
-        let rests = chosen_logins(person).filter_map(begins);
-        rests.map(move |rest| (person, rest)).collect::<Vec<_>>()
-    };
-    people.iter().flat_map(of).collect()
-}
-
 /// The people that a sign may mean, and how much it proves if it means only one.
-pub fn meant<'a>(sign: &Sign, people: &'a [Person], title: Title) -> (Proof, Vec<&'a Person>) {
-    let titled = || titled(sign, people, title).into_iter();
-    let owners = || titled().map(|(_, person)| person);
+pub fn meant<'a>(
+    sign: &Sign,
+    people: &'a [Person],
+    convention: &Convention,
+) -> (Proof, Vec<&'a Person>) {
     match sign {
         Sign::Login(text) => {
             let is_assigned = |(title, person): (&str, &Person)| {
                 let mut all = [&person.id].into_iter().chain(&person.logins);
                 all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
             };
-            let proof = match titled().all(is_assigned) {
+            let proof = match titled(sign, people).into_iter().all(is_assigned) {
                 true => Proof::Id,
                 false => Proof::Name,
             };
-            (proof, owners().collect())
+            let owners = titled(sign, people).into_iter();
+            (proof, owners.map(|(_, person)| person).collect())
         }
         Sign::Account {
             number,
             name,
             may_be_group,
         } => account(number, name, *may_be_group, people),
-        Sign::Plain(name) => {
-            let by_id = || with_id(name, people);
-            let by_login = || with_chosen_login(name, people);
-            // A chosen name or login may be made to look like the title and somebody's id, or like
-            // somebody's name and a remark. Then nobody knows which is meant.
-            let by_name = || {
-                let mut found = named(name, people);
-                let is_written_so = |person: &&Person| is_written_as(name, &person.name);
-                if !found.is_empty() && !found.iter().all(is_written_so) {
-                    found.extend(named_among(name, people));
-                }
-                if found.is_empty() {
-                    found.extend(owners());
-                    if titled().any(|(before, _)| Some(before) != title.before) {
-                        found.extend(named_among(name, people));
-                        found.extend(with_chosen_login_among(name, people));
-                    }
-                }
-                found.extend(calling_themselves(name, people, |it| it.github.as_ref()));
-                found.extend(calling_themselves(name, people, |it| it.group.as_ref()));
-                if !found.is_empty() {
-                    found.extend(by_login());
-                    found.extend(with_id_among(name, people));
-                }
-                found
-            };
-            // A name without a space may be the login of somebody whose login the roster lacks. After
-            // a title, it is a login.
-            let is_login_of_nobody =
-                !name.contains(char::is_whitespace) && owners().next().is_none();
-            let by_name_proof = match is_login_of_nobody {
-                true => Proof::Name,
-                false => Proof::Id,
-            };
-            let by_part = || {
-                let mut found = with_chosen_login_among(name, people);
-                found.extend(named_among(name, people));
-                found
-            };
-            // Anybody may have chosen a word of the title.
-            let is_all_but_title = |person: &&Person| {
-                let lower = name.to_ascii_lowercase();
-                let mut own = chosen_logins(person);
-                own.any(|own| lower.ends_with(&own.to_ascii_lowercase()))
-                    || begun(name, std::slice::from_ref(person))
-                        .iter()
-                        .any(|(_, rest)| Some(*rest) == title.after)
-            };
-            let by_part_proof = match by_part().iter().all(is_all_but_title) {
-                true => Proof::Name,
-                false => Proof::Hint,
-            };
-            let is_outermost = |person: &&Person| {
-                let lower = name.to_ascii_lowercase();
-                let mut own = person.logins.iter().chain([&person.id]);
-                own.any(|own| {
-                    let own = own.to_ascii_lowercase();
-                    lower.starts_with(&own) || lower.ends_with(&own)
-                })
-            };
-            let by_assigned = || {
-                let mut found = with_id_among(name, people);
-                // Within the title, a number may equal somebody's id by chance.
-                if !found.is_empty() && !found.iter().any(is_outermost) {
-                    let chosen = with_chosen_login_among(name, people).into_iter();
-                    found.extend(chosen.filter(is_all_but_title));
-                }
-                found
-            };
-            let ways: [(Proof, &dyn Fn() -> Vec<&'a Person>); 5] = [
-                (Proof::Id, &by_id),
-                (by_name_proof, &by_name),
-                (Proof::Name, &by_login),
-                (Proof::Name, &by_assigned),
-                (by_part_proof, &by_part),
-            ];
-            let found = ways.into_iter().map(|(proof, find)| (proof, find()));
-            let mut found = found.filter(|(_, found)| !found.is_empty());
-            found.next().unwrap_or((Proof::Hint, Vec::new()))
-        }
+        Sign::Plain(name) => convention.meant(name, people),
     }
-}
-
-/// Whether a text is a person's name as the roster writes it, with the last name first or last.
-fn is_written_as(text: &str, name: &str) -> bool {
-    let words = |text: &str| -> Vec<String> {
-        let words = text.split(|c: char| c.is_whitespace() || c == ',');
-        let words = words.filter(|word| !word.is_empty());
-        words
-            .map(|word| word.nfc().collect::<String>().to_lowercase())
-            .collect()
-    };
-    let (text, name) = (words(text), words(name));
-    (0..name.len()).any(|k| [&name[k..], &name[..k]].concat() == text)
 }
 
 /// Whether two names have a word in common.

@@ -8,8 +8,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::matching::{Proof, Title, begun, meant, titled};
+use super::matching::{Proof, meant, titled};
 use super::names::Sign;
+use super::plain::{Convention, Titles};
 use super::roster::Person;
 
 /// Which submission belongs to which person, and which could not be placed.
@@ -50,21 +51,14 @@ impl Placement {
     }
 }
 
-/// The people that an entry may belong to, each once, and how well that is proved. Those in `common`
-/// are left out if others remain.
+/// The people that an entry may belong to, each once, and how well that is proved.
 fn owners<'a>(
     entry: &Entry,
     people: &'a [Person],
-    title: Title,
-    common: &BTreeSet<&str>,
+    convention: &Convention,
 ) -> (Proof, Vec<&'a Person>) {
-    let is_rare = |person: &&&Person| !common.contains(&*person.id);
-    let of_sign = |sign: &Sign| {
-        let (proof, found) = meant(sign, people, title);
-        let rare: Vec<_> = found.iter().filter(is_rare).copied().collect();
-        (proof, if rare.is_empty() { found } else { rare })
-    };
-    let all: Vec<_> = entry.signs.iter().map(of_sign).collect();
+    let all = entry.signs.iter();
+    let all: Vec<_> = all.map(|sign| meant(sign, people, convention)).collect();
     let mut found: Vec<&Person> = Vec::new();
     for person in all.iter().flat_map(|(_, found)| found) {
         if !found.contains(person) {
@@ -86,39 +80,6 @@ fn owners<'a>(
     (proof.min(entry.at_most), found)
 }
 
-/// The people whom most entries may mean, besides somebody else each time. They have chosen a login
-/// or a name that is a part of the title, such as `ray` in `ray-casting-ada`.
-fn common<'a>(entries: &[Entry], people: &'a [Person], title: Title) -> BTreeSet<&'a str> {
-    let mut besides: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
-    for entry in entries {
-        let (_, found) = owners(entry, people, title, &BTreeSet::new());
-        for person in &found {
-            let others = found.iter().filter(|other| *other != person);
-            let besides = besides.entry(&person.id).or_default();
-            besides.extend(others.map(|other| &*other.id));
-        }
-    }
-    let is_common = |(id, others): (&'a str, BTreeSet<_>)| {
-        (others.len() > 1 && 2 * others.len() > entries.len()).then_some(id)
-    };
-    besides.into_iter().filter_map(is_common).collect()
-}
-
-/// The titles that are certain, and the people after whose logins they stand.
-type Titles = BTreeMap<String, BTreeSet<String>>;
-
-/// Whether a title is a part of another that is more frequent, or begins with one that is at least
-/// as frequent. Beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`, but `x_bob`.
-fn is_doubtful(title: &str, titles: &Titles) -> bool {
-    let people = |title: &str| titles.get(title).map_or(0, BTreeSet::len);
-    let own = people(title);
-    let mut others = titles.keys().filter(|other| *other != title);
-    others.any(|other| {
-        other.starts_with(title) && people(other) > own
-            || title.starts_with(&**other) && people(other) >= own
-    })
-}
-
 /// Finds the person of each submission. Without a roster, it finds nobody.
 pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     let mut placed = Placement {
@@ -126,54 +87,37 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let titled_by = |entry: &Entry, title: Title| -> Vec<(String, String)> {
-        let all = entry.signs.iter();
-        let all = all.flat_map(|sign| titled(sign, people, title));
+    let titled_by = |entry: &Entry| -> BTreeSet<(String, String)> {
+        let all = entry.signs.iter().flat_map(|sign| titled(sign, people));
         let owned = |(title, person): (&str, &Person)| (title.to_owned(), person.id.clone());
         all.map(owned).collect()
     };
-    // An archive's author may have chosen a title that makes all others doubtful, and so may
-    // somebody whose login on GitHub can be read as the end of a title and another login.
-    let mut titles = Titles::new();
-    for entry in entries.iter().filter(|entry| entry.at_most == Proof::Id) {
-        if let [(title, person)] = &titled_by(entry, Title::default())[..] {
-            let people = titles.entry(title.clone()).or_default();
-            people.insert(person.clone());
-        }
+    // An archive's author may have chosen a title that makes all others doubtful.
+    let trusted = || entries.iter().filter(|entry| entry.at_most == Proof::Id);
+    let mut titles = Titles::default();
+    for entry in trusted() {
+        let ways = titled_by(entry);
+        titles.add(&ways.iter().map(|(title, id)| (&**title, &**id)).collect());
     }
+    let plain = trusted().filter_map(|entry| match &entry.signs[..] {
+        [Sign::Plain(name)] => Some(name.as_str()),
+        _ => None,
+    });
+    let convention = Convention::of(&plain.collect::<Vec<_>>(), people);
     // If no other name begins like this, nothing shows where the title ends and the login begins.
     let is_lone = |title: &String| {
         let names = entries.iter().filter(|entry| entry.name.starts_with(title));
         names.take(2).count() < 2
     };
-    let lone: BTreeSet<&String> = titles.keys().filter(|title| is_lone(title)).collect();
-    let mut after = Titles::new();
-    for entry in entries {
-        for (person, rest) in begun(&entry.name, people) {
-            let people = after.entry(rest.to_owned()).or_default();
-            people.insert(person.id.clone());
-        }
-    }
-    let most = |titles: &'_ Titles| {
-        let is_most = |people: &BTreeSet<_>| people.len() > 2 && 2 * people.len() > entries.len();
-        let found = titles.iter().find(|(_, people)| is_most(people));
-        found.map(|(title, _)| title.clone())
-    };
-    let (before, after) = (most(&titles), most(&after));
-    let certain = Title {
-        before: before.as_deref(),
-        after: after.as_deref(),
-    };
-    let common = common(entries, people, certain);
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
-        let (mut proof, found) = owners(entry, people, certain, &common);
-        let title = titled_by(entry, certain).into_iter().next();
-        let title = title.map(|(title, _)| title);
-        if title.as_ref().is_some_and(|it| lone.contains(it)) {
+        let (mut proof, found) = owners(entry, people, &convention);
+        let title = titled_by(entry).into_iter().next().map(|(title, _)| title);
+        if title.as_ref().is_some_and(is_lone) {
             proof = proof.min(Proof::Name);
         }
-        let is_doubtful = title.is_some_and(|title| is_doubtful(&title, &titles));
+        let is_part = |long: &str, short: &str| long.starts_with(short);
+        let is_doubtful = title.is_some_and(|title| titles.is_doubtful(&title, is_part));
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
             [person] if proof > Proof::Hint && !is_doubtful => {

@@ -15,8 +15,9 @@ pub struct Source<'a> {
     /// Whether no other path was named.
     pub is_only: bool,
     pub found: Vec<FoundFile>,
-    /// Whether somebody on the roster has this name or id.
-    pub is_on_roster: &'a dyn Fn(&str) -> bool,
+    /// Whether this name may be that of somebody on the roster: see
+    /// [`is_somebody`](super::plain::is_somebody).
+    pub is_on_roster: &'a dyn Fn(&str, bool) -> bool,
     /// Whether somebody on the roster has this id or login.
     pub is_id: &'a dyn Fn(&str) -> bool,
 }
@@ -57,17 +58,35 @@ impl Source<'_> {
         let mut inside = below(found);
         remove_list(&mut inside);
         let is_class = !inside.is_empty() && self.names_people(&inside);
-        if self.is_archive && is_class && !self.is_person(top) && !file_names::is_archive(top) {
+        if self.is_archive
+            && is_class
+            && !self.is_person(top, false)
+            && !file_names::is_archive(top)
+        {
             self.found = inside;
         }
     }
 
-    fn is_person(&self, name: &str) -> bool {
+    /// Whether a name may be a person's. What people have chosen counts only if `or_chosen`.
+    fn is_person(&self, name: &str, or_chosen: bool) -> bool {
         let stem = file_names::stem(name);
-        // Somebody may have chosen `src` for a login.
         let is_of_repository = REPOSITORY.contains(&name);
-        let is_on_roster = !is_of_repository && (self.is_on_roster)(stem);
+        let is_on_roster = !is_of_repository && (self.is_on_roster)(stem, or_chosen);
         is_on_roster || !names::platforms(name).is_empty()
+    }
+
+    /// How many of these names are people's. Somebody may have chosen a single one of them, such as
+    /// `main`.
+    fn people_among<'t>(&self, tops: impl Iterator<Item = &'t String> + Clone) -> usize {
+        let count = |or_chosen| {
+            tops.clone()
+                .filter(|top| self.is_person(top, or_chosen))
+                .count()
+        };
+        match count(true) {
+            1 => count(false),
+            people => people,
+        }
     }
 
     /// Whether most of what is at the top has a person's name. A single other name, such as that of
@@ -75,8 +94,7 @@ impl Source<'_> {
     fn names_people(&self, found: &[FoundFile]) -> bool {
         let tops = found.iter().filter_map(|found| found.path.first());
         let tops: BTreeSet<&String> = tops.collect();
-        let named = tops.iter().filter(|top| self.is_person(top)).count();
-        2 * named > tops.len()
+        2 * self.people_among(tops.iter().copied()) > tops.len()
     }
 
     /// Whether this is a folder of submissions, and not a single submission.
@@ -88,20 +106,20 @@ impl Source<'_> {
         if self.is_archive || !names::platforms(&self.name).is_empty() {
             return self.is_archive
                 && !self.found.is_empty()
-                && !self.is_person(&self.name)
+                && !self.is_person(&self.name, false)
                 && self.names_people(&self.found);
         }
         // One person's folder may contain folders with names of others. But somebody may have
         // chosen the name of the class's folder. That folder contains no answers itself, so it is
         // still a class.
-        if (self.is_id)(&self.name) || self.holds_answers() && self.is_person(&self.name) {
+        if (self.is_id)(&self.name) || self.holds_answers() && self.is_person(&self.name, true) {
             return false;
         }
         let tops = tops(self.found.clone());
-        if tops.keys().any(|top| self.is_person(top)) {
+        if self.people_among(tops.keys()) > 0 {
             return true;
         }
-        if self.is_person(&self.name) {
+        if self.is_person(&self.name, false) {
             return false;
         }
         let holding = self.holding().len();

@@ -179,7 +179,8 @@ fn a_login_that_looks_like_somebodys_name_proves_nothing() {
     let export = Export::new();
     export.put_all("class/homework1-al1", answers("", "mallory"));
     export.put_all("class/homework1-countess", answers("", "ada"));
-    let list = "id,name,login,github\n1,Ada Lovelace,al1,countess\n";
+    export.put_all("class/homework1-bob", answers("", "bob"));
+    let list = "id,name,login,github\n1,Ada Lovelace,al1,countess\n2,Bob Boole,bb2,bob\n";
     let found = placed(&export, &["class"], list);
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
 }

@@ -1,0 +1,359 @@
+//! Whose submission a folder or an archive is, by its name.
+//!
+//! The university assigns ids and logins. People choose their logins on GitHub, the names of their
+//! groups, and often addresses and display names, perhaps so that they look like somebody else's.
+//! So unless a name is exactly an id or an assigned login, everyone is found whom it may mean, and
+//! it means nobody else only if it means no two people. In a class, what stands before or after the
+//! logins of several people is a title of the assignment, and says nothing about people.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use unicode_normalization::UnicodeNormalization;
+
+use super::matching::{
+    Proof, calling_themselves, has_assigned_id, is_id, named, named_among, with_chosen_login,
+    with_id,
+};
+use super::roster::Person;
+
+/// What the names of a class have in common.
+#[derive(Default)]
+pub struct Convention {
+    before: Vec<String>,
+    after: Vec<String>,
+    /// What seems to be a title before somebody's login, but may end in another login.
+    doubtful: Vec<String>,
+    /// The ids of people whom most names may mean besides somebody else. They have chosen a word
+    /// that most names have, such as `ray` in `ray-casting-ada`.
+    common: BTreeSet<String>,
+}
+
+impl Convention {
+    /// Looks at the names of a class.
+    pub fn of(names: &[&str], people: &[Person]) -> Convention {
+        let (mut before, mut after) = (Titles::default(), Titles::default());
+        // A person's whole name has no title, even if it ends in a login that another has chosen.
+        let titled = names.iter().filter(|name| named(name, people).is_empty());
+        for name in titled {
+            before.add(&titles_before(name, people));
+            after.add(&titles_after(name, people));
+        }
+        let starts = |long: &str, short: &str| long.starts_with(short);
+        let doubtful = before.0.keys().filter(|it| before.is_doubtful(it, starts));
+        let mut convention = Convention {
+            doubtful: doubtful.cloned().collect(),
+            before: before.certain(starts),
+            after: after.certain(|long, short| long.ends_with(short)),
+            ..Convention::default()
+        };
+        convention.common = convention.common(names, people);
+        convention
+    }
+
+    fn common(&self, names: &[&str], people: &[Person]) -> BTreeSet<String> {
+        let mut besides: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
+        for name in names {
+            let (_, found) = self.meant(name, people);
+            for person in &found {
+                let others = found.iter().filter(|other| *other != person);
+                let besides = besides.entry(&person.id).or_default();
+                besides.extend(others.map(|other| &*other.id));
+            }
+        }
+        let half = besides.len() / 2;
+        let is_common = |(id, others): (&str, &BTreeSet<_>)| {
+            (others.len() > 1 && others.len() > half).then(|| id.to_owned())
+        };
+        let all = besides.iter();
+        all.filter_map(|(id, others)| is_common((id, others)))
+            .collect()
+    }
+
+    /// A name without the title, and whether it has one.
+    fn without_title<'n>(&self, name: &'n str) -> (&'n str, bool) {
+        let before = self
+            .before
+            .iter()
+            .find_map(|title| name.strip_prefix(&**title));
+        let after = || {
+            self.after
+                .iter()
+                .find_map(|title| name.strip_suffix(&**title))
+        };
+        let rest = before.or_else(after).filter(|rest| !rest.is_empty());
+        (rest.unwrap_or(name), rest.is_some())
+    }
+
+    /// Whether a login that a person has chosen ends a text, and what stands before it may be a title.
+    fn ends_with_chosen(&self, text: &str, person: &Person) -> bool {
+        let is_end = |at: usize, own: &str| {
+            at + own.len() == text.len() && !self.doubtful.iter().any(|title| title == &text[..at])
+        };
+        chosen(person).any(|own| places(text, own).any(|at| is_end(at, own)))
+    }
+
+    /// The people that a name may mean, each once, and how much it proves if it means only one.
+    pub fn meant<'a>(&self, name: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+        if is_id(name, people) {
+            return (Proof::Id, with_id(name, people));
+        }
+        let (rest, has_title) = self.without_title(name);
+        let is_name = !named(name, people).is_empty();
+        let (proof, found): (Box<dyn Fn(&Person) -> Proof>, _) = if is_name {
+            let mut found = self.with_name(name, people);
+            if has_title {
+                found.extend(whole(rest, people));
+            }
+            (Box::new(of_whole(name, false)), found)
+        } else if !whole(rest, people).is_empty() {
+            (
+                Box::new(of_whole(rest, has_title)),
+                self.with_login(name, people),
+            )
+        } else {
+            (Box::new(self.of_part(rest)), self.with_part(name, people))
+        };
+        let mut once: Vec<&Person> = Vec::new();
+        for person in found {
+            if !once.contains(&person) {
+                once.push(person);
+            }
+        }
+        match once[..] {
+            [person] => (proof(person), once),
+            _ => (Proof::Hint, once),
+        }
+    }
+
+    /// The people that may be meant by a name that some of them have. If it is written as on the
+    /// roster, it is nobody's login.
+    fn with_name<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+        let mut found = whole(name, people);
+        found.extend(self.rare(with_assigned_among(name, people)));
+        if !named(name, people)
+            .iter()
+            .all(|it| is_written_as(name, &it.name))
+        {
+            found.extend(named_among(name, people));
+            let chosen = self.rare(with_chosen_among(name, people));
+            found.extend(chosen.filter(|it| self.ends_with_chosen(name, it)));
+        }
+        found
+    }
+
+    /// The people that may be meant by a name that is, after a title, the login of some of them, or
+    /// the name of their group. What looks like the title may contain a part of somebody's name.
+    fn with_login<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+        let (rest, has_title) = self.without_title(name);
+        let mut found = whole(rest, people);
+        found.extend(self.rare(with_assigned_among(rest, people)));
+        found.extend(named_among(name, people));
+        if !has_title {
+            found.extend(self.rare(with_chosen_among(name, people)));
+        }
+        found
+    }
+
+    /// The people that may be meant by a part of a name. Within a name, a number may be a part of the
+    /// title.
+    fn with_part<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+        let (rest, _) = self.without_title(name);
+        let assigned: Vec<_> = self.rare(with_assigned_among(rest, people)).collect();
+        let outermost = assigned.iter().copied().filter(|it| is_outermost(rest, it));
+        let outermost: Vec<_> = outermost.collect();
+        if outermost.is_empty() {
+            let chosen = self.rare(with_chosen_among(rest, people));
+            let others = chosen.chain(named_among(name, people));
+            return assigned.into_iter().chain(others).collect();
+        }
+        let is_contested = |it: &&Person| outermost.iter().any(|own| has_id_for_github(it, own));
+        let contested = people.iter().filter(is_contested);
+        outermost.iter().copied().chain(contested).collect()
+    }
+
+    /// Those who are not in what most names have in common.
+    fn rare<'a>(&self, found: Vec<&'a Person>) -> impl Iterator<Item = &'a Person> {
+        found.into_iter().filter(|it| !self.common.contains(&it.id))
+    }
+
+    /// How much a part of a text proves that is a person's.
+    fn of_part(&self, text: &str) -> impl Fn(&Person) -> Proof {
+        move |person| {
+            let is_assigned = assigned(person).any(|own| places(text, own).next().is_some());
+            match is_assigned || self.ends_with_chosen(text, person) {
+                true => Proof::Name,
+                false => Proof::Hint,
+            }
+        }
+    }
+}
+
+/// How much a text proves that is a person's as a whole, perhaps after a title.
+fn of_whole(text: &str, has_title: bool) -> impl Fn(&Person) -> Proof {
+    // A name without a space may be the login of somebody whose login the roster lacks. After a
+    // title, it is a login.
+    let may_be_login = !text.contains(char::is_whitespace);
+    move |person| {
+        let is = |own: &str| own.eq_ignore_ascii_case(text);
+        let is_on_github = person.github.as_deref().is_some_and(is);
+        let is_login = assigned(person).chain(chosen(person)).any(is);
+        let is_name = !named(text, std::slice::from_ref(person)).is_empty();
+        match (has_title, may_be_login) {
+            (true, _) if is_on_github => Proof::Id,
+            (true, true) if is_name && !is_login => Proof::Hint,
+            (false, false) if is_name => Proof::Id,
+            _ => Proof::Name,
+        }
+    }
+}
+
+/// The people whose id, login, name or group this is, perhaps with other punctuation.
+fn whole<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let mut found = with_id(text, people);
+    found.extend(with_chosen_login(text, people));
+    found.extend(calling_themselves(text, people, |it| it.github.as_ref()));
+    found.extend(calling_themselves(text, people, |it| it.group.as_ref()));
+    found.extend(named(text, people));
+    found
+}
+
+/// The id and the logins of a person, as the university assigned them.
+fn assigned(person: &Person) -> impl Iterator<Item = &str> {
+    let id = has_assigned_id(person).then_some(&person.id);
+    id.into_iter().chain(&person.logins).map(String::as_str)
+}
+
+/// What a person may have chosen: a login on GitHub, and the beginnings of addresses.
+fn chosen(person: &Person) -> impl Iterator<Item = &str> {
+    let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
+    let locals = addresses.map(|(local, _)| local);
+    locals.chain(person.github.as_deref())
+}
+
+fn is_edge(c: Option<char>) -> bool {
+    !c.is_some_and(char::is_alphanumeric)
+}
+
+/// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.
+pub fn is_somebody(name: &str, people: &[Person], or_chosen: bool) -> bool {
+    !with_id(name, people).is_empty()
+        || !named(name, people).is_empty()
+        || !with_assigned_among(name, people).is_empty()
+        || !named_among(name, people).is_empty()
+        || or_chosen && !whole(name, people).is_empty()
+        || or_chosen && !with_chosen_among(name, people).is_empty()
+}
+
+/// Where a text contains another as whole words, in capitals or not.
+fn places<'t>(text: &'t str, own: &'t str) -> impl Iterator<Item = usize> + 't {
+    let starts = text.char_indices().map(|(at, _)| at);
+    starts.filter(move |at| {
+        let Some(found) = text.get(*at..at + own.len()) else {
+            return false;
+        };
+        found.eq_ignore_ascii_case(own)
+            && !own.is_empty()
+            && is_edge(text[..*at].chars().next_back())
+            && is_edge(text[at + own.len()..].chars().next())
+    })
+}
+
+/// The people with an assigned id or login among a text's words.
+fn with_assigned_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let has = |person: &&Person| assigned(person).any(|own| places(text, own).next().is_some());
+    people.iter().filter(has).collect()
+}
+
+/// The people with a chosen login among a text's words.
+fn with_chosen_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    let has = |person: &&Person| chosen(person).any(|own| places(text, own).next().is_some());
+    people.iter().filter(has).collect()
+}
+
+/// Whether somebody has chosen a login on GitHub that is another's assigned id or login.
+fn has_id_for_github(person: &Person, other: &Person) -> bool {
+    let github = person.github.as_deref();
+    github.is_some_and(|it| assigned(other).any(|own| own.eq_ignore_ascii_case(it)))
+}
+
+/// Whether an assigned id or login begins or ends a text. Within a text, a number may be a part of
+/// the title.
+fn is_outermost(text: &str, person: &Person) -> bool {
+    let is = |own: &str| places(text, own).any(|at| at == 0 || at + own.len() == text.len());
+    assigned(person).any(is)
+}
+
+/// What stands before each login that ends a name, and the login's person.
+fn titles_before<'a, 'n>(name: &'n str, people: &'a [Person]) -> BTreeSet<(&'n str, &'a str)> {
+    let of = |person: &'a Person| {
+        let logins = assigned(person).chain(chosen(person));
+        let ends =
+            logins.flat_map(|own| places(name, own).filter(|at| at + own.len() == name.len()));
+        ends.filter(|at| *at > 0)
+            .map(|at| (&name[..at], &*person.id))
+            .collect::<Vec<_>>()
+    };
+    people.iter().flat_map(of).collect()
+}
+
+/// What stands after each login that begins a name, and the login's person.
+fn titles_after<'a, 'n>(name: &'n str, people: &'a [Person]) -> BTreeSet<(&'n str, &'a str)> {
+    let of = |person: &'a Person| {
+        let logins = assigned(person).chain(chosen(person));
+        let begins = logins.filter(|own| places(name, own).next() == Some(0));
+        let rests = begins.map(|own| &name[own.len()..]);
+        rests
+            .filter(|rest| !rest.is_empty())
+            .map(|rest| (rest, &*person.id))
+            .collect::<Vec<_>>()
+    };
+    people.iter().flat_map(of).collect()
+}
+
+/// Titles, and the people beside whose logins they stand.
+#[derive(Default)]
+pub struct Titles(BTreeMap<String, BTreeSet<String>>);
+
+impl Titles {
+    /// Adds the ways to read a name, if there is only one.
+    pub fn add(&mut self, ways: &BTreeSet<(&str, &str)>) {
+        let mut ways = ways.iter();
+        if let (Some((title, person)), None) = (ways.next(), ways.next()) {
+            let people = self.0.entry((*title).to_owned()).or_default();
+            people.insert((*person).to_owned());
+        }
+    }
+
+    /// Whether a title is a part of another that is more frequent, or contains one that is at least
+    /// as frequent. Beside `HW1_ada`, the login in `HW1_x_bob` is not `bob`, but `x_bob`.
+    pub fn is_doubtful(&self, title: &str, contains: fn(&str, &str) -> bool) -> bool {
+        let people = |title: &str| self.0.get(title).map_or(0, BTreeSet::len);
+        let own = people(title);
+        let mut others = self.0.keys().filter(|other| *other != title);
+        others.any(|other| {
+            contains(other, title) && people(other) > own
+                || contains(title, other) && people(other) >= own
+        })
+    }
+
+    /// The titles that several people have, and that are not doubtful.
+    fn certain(&self, contains: fn(&str, &str) -> bool) -> Vec<String> {
+        let several = self.0.iter().filter(|(_, people)| people.len() > 1);
+        let titles = several.map(|(title, _)| title);
+        let certain = titles.filter(|title| !self.is_doubtful(title, contains));
+        certain.cloned().collect()
+    }
+}
+
+/// Whether a text is a person's name as the roster writes it, with the last name first or last.
+fn is_written_as(text: &str, name: &str) -> bool {
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| c.is_whitespace() || c == ',');
+        let words = words.filter(|word| !word.is_empty());
+        words
+            .map(|word| word.nfc().collect::<String>().to_lowercase())
+            .collect()
+    };
+    let (text, name) = (words(text), words(name));
+    (0..name.len()).any(|k| [&name[k..], &name[..k]].concat() == text)
+}
