@@ -50,7 +50,9 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
 pub fn named<'a>(name: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
     type Fold<'f> = &'f dyn Fn(&str) -> String;
-    let folds: [(Fold<'_>, Fold<'_>); 3] = [
+    // A name without accents may be somebody's who has none, or has lost them.
+    let folds: [(Fold<'_>, Fold<'_>); 4] = [
+        (&folded, &unaccented),
         (&folded, &folded),
         (&unaccented, &unaccented),
         (&folded, &ascii),

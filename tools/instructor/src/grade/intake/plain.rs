@@ -2,8 +2,8 @@
 //!
 //! The university assigns ids and logins. People choose their logins on GitHub, the names of their
 //! groups, and often addresses and display names, perhaps so that they look like somebody else's.
-//! So unless a name is exactly an id or an assigned login, everyone is found whom it may mean, and
-//! it means nobody else only if it means no two people. In a class, what stands before or after the
+//! So unless a name is exactly an id or an assigned login, everyone is found whom it may mean. If
+//! these are several people, nobody knows whose it is. In a class, what stands before or after the
 //! logins of several people is a title of the assignment, and says nothing about people.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -61,12 +61,10 @@ impl Convention {
             }
         }
         let half = besides.len() / 2;
-        let is_common = |(id, others): (&str, &BTreeSet<_>)| {
-            (others.len() > 1 && others.len() > half).then(|| id.to_owned())
-        };
-        let all = besides.iter();
-        all.filter_map(|(id, others)| is_common((id, others)))
-            .collect()
+        let common = besides
+            .iter()
+            .filter(|(_, others)| others.len() > half.max(1));
+        common.map(|(id, _)| (*id).to_owned()).collect()
     }
 
     /// A name without the title, and whether it has one.
@@ -99,19 +97,11 @@ impl Convention {
         }
         let (rest, has_title) = self.without_title(name);
         let is_name = !named(name, people).is_empty();
-        let (proof, found): (Box<dyn Fn(&Person) -> Proof>, _) = if is_name {
-            let mut found = self.with_name(name, people);
-            if has_title {
-                found.extend(whole(rest, people));
-            }
-            (Box::new(of_whole(name, false)), found)
-        } else if !whole(rest, people).is_empty() {
-            (
-                Box::new(of_whole(rest, has_title)),
-                self.with_login(name, people),
-            )
-        } else {
-            (Box::new(self.of_part(rest)), self.with_part(name, people))
+        let is_login = !whole(rest, people).is_empty();
+        let found = match (is_name, is_login) {
+            (true, _) => self.with_name(name, people),
+            (false, true) => self.with_login(name, people),
+            (false, false) => self.with_part(name, people),
         };
         let mut once: Vec<&Person> = Vec::new();
         for person in found {
@@ -120,7 +110,9 @@ impl Convention {
             }
         }
         match once[..] {
-            [person] => (proof(person), once),
+            [person] if is_name => (of_whole(name, false, person), once),
+            [person] if is_login => (of_whole(rest, has_title, person), once),
+            [person] => (self.of_part(rest, person), once),
             _ => (Proof::Hint, once),
         }
     }
@@ -130,6 +122,9 @@ impl Convention {
     fn with_name<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
         let mut found = whole(name, people);
         found.extend(self.rare(with_assigned_among(name, people)));
+        if let (rest, true) = self.without_title(name) {
+            found.extend(whole(rest, people));
+        }
         if !named(name, people)
             .iter()
             .all(|it| is_written_as(name, &it.name))
@@ -177,33 +172,29 @@ impl Convention {
     }
 
     /// How much a part of a text proves that is a person's.
-    fn of_part(&self, text: &str) -> impl Fn(&Person) -> Proof {
-        move |person| {
-            let is_assigned = assigned(person).any(|own| places(text, own).next().is_some());
-            match is_assigned || self.ends_with_chosen(text, person) {
-                true => Proof::Name,
-                false => Proof::Hint,
-            }
+    fn of_part(&self, text: &str, person: &Person) -> Proof {
+        let is_assigned = assigned(person).any(|own| places(text, own).next().is_some());
+        match is_assigned || self.ends_with_chosen(text, person) {
+            true => Proof::Name,
+            false => Proof::Hint,
         }
     }
 }
 
 /// How much a text proves that is a person's as a whole, perhaps after a title.
-fn of_whole(text: &str, has_title: bool) -> impl Fn(&Person) -> Proof {
+fn of_whole(text: &str, has_title: bool, person: &Person) -> Proof {
+    let is = |own: &str| own.eq_ignore_ascii_case(text);
+    let is_on_github = person.github.as_deref().is_some_and(is);
+    let is_login = assigned(person).chain(chosen(person)).any(is);
+    let is_name = !named(text, std::slice::from_ref(person)).is_empty();
     // A name without a space may be the login of somebody whose login the roster lacks. After a
     // title, it is a login.
     let may_be_login = !text.contains(char::is_whitespace);
-    move |person| {
-        let is = |own: &str| own.eq_ignore_ascii_case(text);
-        let is_on_github = person.github.as_deref().is_some_and(is);
-        let is_login = assigned(person).chain(chosen(person)).any(is);
-        let is_name = !named(text, std::slice::from_ref(person)).is_empty();
-        match (has_title, may_be_login) {
-            (true, _) if is_on_github => Proof::Id,
-            (true, true) if is_name && !is_login => Proof::Hint,
-            (false, false) if is_name => Proof::Id,
-            _ => Proof::Name,
-        }
+    match (has_title, may_be_login) {
+        (true, _) if is_on_github => Proof::Id,
+        (true, true) if is_name && !is_login => Proof::Hint,
+        (false, false) if is_name => Proof::Id,
+        _ => Proof::Name,
     }
 }
 
