@@ -21,7 +21,9 @@ use super::roster::Person;
 pub struct Convention {
     before: Vec<String>,
     after: Vec<String>,
-    /// What seems to be a title before somebody's login, but may end in another login.
+    /// What stands before the logins of anybody.
+    titles: Titles,
+    /// Which of these may end in another login.
     doubtful: Vec<String>,
     /// The ids of people whom most names may mean besides somebody else. They have chosen a word
     /// that most names have, such as `ray` in `ray-casting-ada`.
@@ -44,7 +46,8 @@ impl Convention {
             doubtful: doubtful.cloned().collect(),
             before: before.certain(starts),
             after: after.certain(|long, short| long.ends_with(short)),
-            ..Convention::default()
+            titles: before,
+            common: BTreeSet::new(),
         };
         convention.common = convention.common(names, people);
         convention
@@ -84,10 +87,8 @@ impl Convention {
 
     /// Whether a login that a person has chosen ends a text, and what stands before it may be a title.
     fn ends_with_chosen(&self, text: &str, person: &Person) -> bool {
-        let is_end = |at: usize, own: &str| {
-            at + own.len() == text.len() && !self.doubtful.iter().any(|title| title == &text[..at])
-        };
-        chosen(person).any(|own| places(text, own).any(|at| is_end(at, own)))
+        let mut titles = before_chosen(text, person);
+        titles.any(|title| !self.doubtful.iter().any(|it| it == title))
     }
 
     /// The people that a name may mean, each once, and how much it proves if it means only one.
@@ -133,6 +134,12 @@ impl Convention {
             let chosen = self.rare(with_chosen_among(name, people));
             found.extend(chosen.filter(|it| self.ends_with_chosen(name, it)));
         }
+        // Somebody may have chosen the title and another's login for a name.
+        let is_after_title = |person: &&Person| {
+            let mut titles = before_chosen(name, person);
+            titles.any(|title| self.titles.0.contains_key(title))
+        };
+        found.extend(people.iter().filter(is_after_title));
         found
     }
 
@@ -272,6 +279,12 @@ fn has_id_for_github(person: &Person, other: &Person) -> bool {
 fn is_outermost(text: &str, person: &Person) -> bool {
     let is = |own: &str| places(text, own).any(|at| at == 0 || at + own.len() == text.len());
     assigned(person).any(is)
+}
+
+/// What stands before each login that ends a text and that a person has chosen.
+fn before_chosen<'t>(text: &'t str, person: &'t Person) -> impl Iterator<Item = &'t str> {
+    let ends = |own: &'t str| places(text, own).filter(|at| at + own.len() == text.len());
+    chosen(person).flat_map(ends).map(|at| &text[..at])
 }
 
 /// What stands before each login that ends a name, and the login's person.

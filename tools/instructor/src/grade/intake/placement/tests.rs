@@ -498,6 +498,9 @@ fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
         let people = with_mallory(chosen, what);
         assert_eq!(whose(names, &people), expected, "{what} {names:?}");
     }
+    // A display name may be the title and somebody else's login.
+    let people = with_mallory(|it, what| it.name = what.into(), "HW1 Ada");
+    assert_eq!(whose(&["HW1 ada", "HW1 bob"], &people), "[13]2");
     // A number in the title may be somebody's id.
     let mut people = with_mallory(address, "mal");
     people[0].id = "1".into();
