@@ -70,15 +70,23 @@ fn is_near(eye: &Vector<f64>, [low, high]: [Vector<f64>; 2]) -> bool {
 
 /// The binary tree over these boxes.
 ///
-/// Where boxes are equal, or equally far apart, obvhs would merge only one pair at a time, which
-/// takes quadratic time. So it first gets boxes that are larger by up to eight units in the last
-/// place.
+/// Where boxes are equal, equally far apart, or one within the other in this order, obvhs would merge
+/// only one pair at a time, which takes quadratic time. So it first gets them in random order, and
+/// larger by up to eight units in the last place.
 fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
     let mut random = Random::new(1, "boxes");
-    let unequal = boxes.iter().map(|bounds| {
+    let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
+    for at in (1..order.len()).rev() {
+        order.swap(at, random.below(at + 1));
+    }
+    let unequal = order.iter().map(|part| {
+        let bounds = &boxes[*part as usize];
         let more = random.within(0.0, 8.0 * f64::from(f32::EPSILON)) as f32;
-        let more = more * bounds.min.abs().max(bounds.max.abs());
-        Aabb::new(bounds.min - more, bounds.max + more)
+        // The areas of the boxes must not underflow.
+        let margin = |x: f32| more * x.abs().max(1e-10);
+        let low = bounds.min.to_array().map(|x| x - margin(x));
+        let high = bounds.max.to_array().map(|x| x + margin(x));
+        Aabb::new(low.into(), high.into())
     });
     let one_each = BvhBuildParams {
         max_prims_per_leaf: 1,
@@ -86,6 +94,9 @@ fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
     };
     let unequal: Vec<_> = unequal.collect();
     let mut twos = build_bvh2(&unequal, one_each, &mut Duration::default());
+    for part in &mut twos.primitive_indices {
+        *part = order[*part as usize];
+    }
     for node in twos.nodes.iter_mut().filter(|node| node.is_leaf()) {
         let part = twos.primitive_indices[node.first_index as usize];
         node.set_aabb(boxes[part as usize]);
