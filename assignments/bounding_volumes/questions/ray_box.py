@@ -83,10 +83,23 @@ def behind(rng):
 
 
 def max_t(rng):
-    """max_t before the box, inside it, or behind it."""
+    """max_t before the box, inside it, or behind it. Of the rays, some start inside, some are
+    parallel to one or two coordinate planes, and some are short; some boxes are flat."""
     shape = box(rng)
+    point = within(rng, shape)
     share = rng.choice([rng.uniform(0.2, 0.7), 1, rng.uniform(1.5, 3)])
-    return aim(rng, shape, within(rng, shape), max_t=share)
+    match rng.integers(6):
+        case 0:
+            return aim(rng, shape, point, min_t=1, max_t=rng.uniform(1.1, 3))
+        case 1:
+            return aim(rng, shape, point, zeros=rng.integers(1, 3), max_t=share)
+        case 2:
+            return aim(rng, shape, point, length=log_uniform(rng, 1e-9, 1e3), max_t=share)
+        case 3:
+            axis = rng.integers(3)
+            shape[1, axis] = point[axis] = shape[0, axis]
+            share = rng.choice([rng.uniform(0.2, 0.7), rng.uniform(1.5, 3)])
+    return aim(rng, shape, point, max_t=share)
 
 
 def zero_direction(rng):
