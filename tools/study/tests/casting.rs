@@ -287,6 +287,29 @@ fn smallest_of_hundreds_of_nested_spheres_is_seen_from_within() {
     assert_eq!(seen.map(|(place, _)| place), Some(399));
 }
 
+/// Boxes with a common corner make a tree that is deeper than obvhs expects.
+#[test]
+fn deep_tree_over_spheres_and_triangles_is_built() {
+    let both = |k: i32| {
+        let q = 1.0 + f64::from(k) / 1000.0;
+        let corners = [(0.0, 0.0, 0.0), (q, 9.0, 0.0), (0.0, 9.0, q)];
+        let corners = corners.map(|(x, y, z)| Vector::new(x, y, z));
+        let (center, radius) = (Vector::new(q, q, q) * 0.5, 0.5 * q);
+        [
+            Primitive::Sphere(Sphere { center, radius }),
+            Primitive::Triangle(Triangle { corners }),
+        ]
+    };
+    let world = world_of((0..1200).flat_map(both));
+    let ray = Ray {
+        origin: Vector::new(0.5, 0.75, 40.0),
+        direction: Vector::new(0.0, 0.0, -1.0),
+    };
+    let seen = first(&world, &ray, 0.0).map(|(place, _)| place);
+    let truth = sight(&world.parts, &ray, 0.0).map(|(part, _)| part.place);
+    assert!(seen.is_some() && seen == truth);
+}
+
 /// If the boxes were not made unequal, this would take minutes.
 #[test]
 fn tree_over_many_equal_boxes_is_built_soon() {

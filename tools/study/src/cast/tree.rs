@@ -101,6 +101,8 @@ fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
         let part = twos.primitive_indices[node.first_index as usize];
         node.set_aabb(boxes[part as usize]);
     }
+    // This is the capacity of a stack, and obvhs may have made the tree deeper.
+    twos.max_depth = twos.nodes.len();
     twos.refit_all();
     twos
 }
