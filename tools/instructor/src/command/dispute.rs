@@ -40,15 +40,18 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     let rows = marks::rows(&roll, &attempts);
     let row = rows.own.into_iter().find(|row| row.entry.id == id);
     let (mark, not_counted) = row.map_or((None, None), |row| (row.mark, row.not_counted));
+    let whose = roll.whose(&id);
     if arguments.json {
         let document = json!({
-            "record": record, "mark": mark, "not_counted": not_counted, "evidence": evidence
+            "whose": whose, "record": record, "mark": mark, "not_counted": not_counted, "evidence": evidence
         });
         let text = serde_json::to_string_pretty(&document)
             .or_environment("cannot write the result as JSON", "report this")?;
         anstream::println!("{}", printable_json(&text));
     } else {
+        let whose = whose.map(|whose| format!("{}\n", printable(&whose)));
         let mark = mark_in_words(mark.as_ref(), not_counted.as_deref());
+        let mark = whose.unwrap_or_default() + &mark;
         anstream::print!("{}", words(&record, &mark, &evidence));
     }
     Ok(Status::Well)
@@ -248,5 +251,10 @@ mod tests {
         for named in ["ada", "Name of bob"] {
             assert_eq!(id_of(named, &roll).expect("it is there"), "one");
         }
+        let whose = roll.whose("one").expect("there is a roster");
+        assert_eq!(
+            whose,
+            "belongs to nobody, perhaps to Name of ada [ada] or Name of bob [bob]"
+        );
     }
 }

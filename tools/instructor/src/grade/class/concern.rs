@@ -129,6 +129,20 @@ impl Roll {
         people.len()
     }
 
+    /// Whose a submission is, or may be; `None` without a roster.
+    pub fn whose(&self, id: &str) -> Option<String> {
+        self.placed.people?;
+        let perhaps = self.placed.ambiguous.get(id);
+        Some(match (self.placed.of.get(id), perhaps) {
+            (Some(person), _) => format!("by {}", in_words(person)),
+            (None, Some(people)) => {
+                let people: Vec<String> = people.iter().map(in_words).collect();
+                format!("belongs to nobody, perhaps to {}", people.join(" or "))
+            }
+            (None, None) => "by nobody on the roster".into(),
+        })
+    }
+
     /// The name of a submission, and the person's name if that adds something.
     fn called(&self, id: &str) -> String {
         match self.placed.of.get(id) {
