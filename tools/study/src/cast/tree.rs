@@ -70,9 +70,9 @@ fn is_near(eye: &Vector<f64>, [low, high]: [Vector<f64>; 2]) -> bool {
 
 /// The binary tree over these boxes.
 ///
-/// Where boxes are equal, equally far apart, or one within the other in this order, obvhs would merge
-/// only one pair at a time, which takes quadratic time. So it first gets them in random order, and
-/// larger by up to eight units in the last place.
+/// Where boxes are equal, equally far apart, or one within the other, obvhs might merge only one pair
+/// at a time, which takes quadratic time. So it first gets them in random order, and larger by up to
+/// 1 % and eight units in the last place.
 fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
     let mut random = Random::new(1, "boxes");
     let mut order: Vec<u32> = (0..boxes.len() as u32).collect();
@@ -81,11 +81,15 @@ fn binary_tree(boxes: &[Aabb]) -> Bvh2 {
     }
     let unequal = order.iter().map(|part| {
         let bounds = &boxes[*part as usize];
-        let more = random.within(0.0, 8.0 * f64::from(f32::EPSILON)) as f32;
-        // The areas of the boxes must not underflow.
-        let margin = |x: f32| more * x.abs().max(1e-10);
-        let low = bounds.min.to_array().map(|x| x - margin(x));
-        let high = bounds.max.to_array().map(|x| x + margin(x));
+        let more = random.within(0.0, 0.01) as f32;
+        let extent = (bounds.max - bounds.min).to_array();
+        let [mut low, mut high] = [bounds.min, bounds.max].map(|corner| corner.to_array());
+        for axis in 0..3 {
+            // The areas of the boxes must not underflow.
+            let size = low[axis].abs().max(high[axis].abs()).max(1e-10);
+            let margin = more * (extent[axis] + 800.0 * f32::EPSILON * size);
+            (low[axis], high[axis]) = (low[axis] - margin, high[axis] + margin);
+        }
         Aabb::new(low.into(), high.into())
     });
     let one_each = BvhBuildParams {
