@@ -8,6 +8,7 @@
 
 pub mod answers;
 pub mod hand_in;
+pub mod index;
 pub mod matching;
 pub mod names;
 pub mod placement;
@@ -25,6 +26,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use self::hand_in::HandIn;
+use self::index::Index;
 use self::matching::Proof;
 use self::names::Sign;
 use self::reader::file_names;
@@ -112,8 +114,10 @@ pub fn find(
     assignment: &Assignment,
     people: Option<&[Person]>,
 ) -> Result<Intake> {
+    let index = people.map(Index::of);
     let is_on_roster = |name: &str, or_chosen: bool| {
-        people.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
+        let index = index.as_ref();
+        index.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
     };
     let is_id = |name: &str| people.is_some_and(|it| matching::is_id(name, it));
     let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();

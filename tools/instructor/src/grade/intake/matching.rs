@@ -44,6 +44,16 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     (0..words.len()).map(turned).collect()
 }
 
+/// A person's name in one word, in every order and with and without accents.
+pub fn spellings(name: &str) -> Vec<String> {
+    let ascii = |text: &str| -> String { folded(text).chars().filter(char::is_ascii).collect() };
+    let folds: [&dyn Fn(&str) -> String; 3] = [&folded, &unaccented, &ascii];
+    folds
+        .into_iter()
+        .flat_map(|fold| turned(name, fold))
+        .collect()
+}
+
 /// The people with this name. Platforms keep accents, drop them, or drop the letters that have
 /// them. So letters of the roster's name may be missing in this one. But if this one has a letter
 /// that the roster's lacks, it is somebody else's.
@@ -219,7 +229,7 @@ fn has_github(person: &Person, login: &str) -> bool {
 }
 
 /// The words of a text, folded.
-fn words(text: &str) -> Vec<String> {
+pub fn words(text: &str) -> Vec<String> {
     let words = text.split(|c: char| !c.is_alphanumeric() && !is_combining_mark(c));
     words.map(folded).filter(|word| !word.is_empty()).collect()
 }
@@ -252,7 +262,7 @@ pub fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
 pub fn meant<'a>(
     sign: &Sign,
     people: &'a [Person],
-    convention: &Convention,
+    convention: &Convention<'a>,
 ) -> (Proof, Vec<&'a Person>) {
     match sign {
         Sign::Login(text) => {
@@ -272,7 +282,7 @@ pub fn meant<'a>(
             name,
             may_be_group,
         } => account(number, name, *may_be_group, people),
-        Sign::Plain(name) => convention.meant(name, people),
+        Sign::Plain(name) => convention.meant(name),
     }
 }
 

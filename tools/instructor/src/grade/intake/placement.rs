@@ -55,7 +55,7 @@ impl Placement {
 fn owners<'a>(
     entry: &Entry,
     people: &'a [Person],
-    convention: &Convention,
+    convention: &Convention<'a>,
 ) -> (Proof, Vec<&'a Person>) {
     let all = entry.signs.iter();
     let all: Vec<_> = all.map(|sign| meant(sign, people, convention)).collect();

@@ -10,6 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use unicode_normalization::UnicodeNormalization;
 
+use super::index::Index;
 use super::matching::{
     Proof, calling_themselves, has_assigned_id, is_id, named, named_among, with_chosen_login,
     with_id,
@@ -18,7 +19,8 @@ use super::roster::Person;
 
 /// What the names of a class have in common.
 #[derive(Default)]
-pub struct Convention {
+pub struct Convention<'a> {
+    index: Index<'a>,
     before: Vec<String>,
     after: Vec<String>,
     /// What stands before the logins of anybody.
@@ -30,33 +32,37 @@ pub struct Convention {
     common: BTreeSet<String>,
 }
 
-impl Convention {
+impl<'a> Convention<'a> {
     /// Looks at the names of a class.
-    pub fn of(names: &[&str], people: &[Person]) -> Convention {
+    pub fn of(names: &[&str], people: &'a [Person]) -> Convention<'a> {
+        let index = Index::of(people);
         let (mut before, mut after) = (Titles::default(), Titles::default());
         // A person's whole name has no title, even if it ends in a login that another has chosen.
-        let titled = names.iter().filter(|name| named(name, people).is_empty());
-        for name in titled {
-            before.add(&titles_before(name, people));
-            after.add(&titles_after(name, people));
+        for name in names {
+            let near = near(&index, name);
+            if named(name, &near).is_empty() {
+                before.add(&titles_before(name, &near));
+                after.add(&titles_after(name, &near));
+            }
         }
         let starts = |long: &str, short: &str| long.starts_with(short);
         let doubtful = before.0.keys().filter(|it| before.is_doubtful(it, starts));
         let mut convention = Convention {
+            index,
             doubtful: doubtful.cloned().collect(),
             before: before.certain(starts),
             after: after.certain(|long, short| long.ends_with(short)),
             titles: before,
             common: BTreeSet::new(),
         };
-        convention.common = convention.common(names, people);
+        convention.common = convention.common(names);
         convention
     }
 
-    fn common(&self, names: &[&str], people: &[Person]) -> BTreeSet<String> {
+    fn common(&self, names: &[&str]) -> BTreeSet<String> {
         let mut besides: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
         for name in names {
-            let (_, found) = self.meant(name, people);
+            let (_, found) = self.meant(name);
             for person in &found {
                 let others = found.iter().filter(|other| *other != person);
                 let besides = besides.entry(&person.id).or_default();
@@ -92,7 +98,15 @@ impl Convention {
     }
 
     /// The people that a name may mean, each once, and how much it proves if it means only one.
-    pub fn meant<'a>(&self, name: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+    pub fn meant(&self, name: &str) -> (Proof, Vec<&'a Person>) {
+        let people = self.index.near(name);
+        let near = near(&self.index, name);
+        let (proof, found) = self.meant_among(name, &near);
+        let is_found = |it: &&&Person| found.iter().any(|found| found.id == it.id);
+        (proof, people.iter().filter(is_found).copied().collect())
+    }
+
+    fn meant_among<'p>(&self, name: &str, people: &'p [Person]) -> (Proof, Vec<&'p Person>) {
         if is_id(name, people) {
             return (Proof::Id, with_id(name, people));
         }
@@ -120,7 +134,7 @@ impl Convention {
 
     /// The people that may be meant by a name that some of them have. If it is written as on the
     /// roster, it is nobody's login.
-    fn with_name<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    fn with_name<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let mut found = whole(name, people);
         found.extend(self.rare(with_assigned_among(name, people)));
         if let (rest, true) = self.without_title(name) {
@@ -131,8 +145,10 @@ impl Convention {
             .all(|it| is_written_as(name, &it.name))
         {
             found.extend(named_among(name, people));
+            let is_outermost =
+                |it: &&Person| is_beside_remark(name, it) || self.ends_with_chosen(name, it);
             let chosen = self.rare(with_chosen_among(name, people));
-            found.extend(chosen.filter(|it| self.ends_with_chosen(name, it)));
+            found.extend(chosen.filter(is_outermost));
         }
         // Somebody may have chosen the title and another's login for a name.
         let is_after_title = |person: &&Person| {
@@ -145,11 +161,11 @@ impl Convention {
 
     /// The people that may be meant by a name that is, after a title, the login of some of them, or
     /// the name of their group. What looks like the title may contain a part of somebody's name.
-    fn with_login<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    fn with_login<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let (rest, has_title) = self.without_title(name);
         let mut found = whole(rest, people);
         found.extend(self.rare(with_assigned_among(rest, people)));
-        found.extend(named_among(name, people));
+        found.extend(self.rare(named_among(name, people)));
         if !has_title {
             found.extend(self.rare(with_chosen_among(name, people)));
         }
@@ -158,14 +174,14 @@ impl Convention {
 
     /// The people that may be meant by a part of a name. Within a name, a number may be a part of the
     /// title.
-    fn with_part<'a>(&self, name: &str, people: &'a [Person]) -> Vec<&'a Person> {
+    fn with_part<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let (rest, _) = self.without_title(name);
         let assigned: Vec<_> = self.rare(with_assigned_among(rest, people)).collect();
         let outermost = assigned.iter().copied().filter(|it| is_outermost(rest, it));
         let outermost: Vec<_> = outermost.collect();
         if outermost.is_empty() {
             let chosen = self.rare(with_chosen_among(rest, people));
-            let others = chosen.chain(named_among(name, people));
+            let others = chosen.chain(self.rare(named_among(name, people)));
             return assigned.into_iter().chain(others).collect();
         }
         let is_contested = |it: &&Person| outermost.iter().any(|own| has_id_for_github(it, own));
@@ -174,7 +190,7 @@ impl Convention {
     }
 
     /// Those who are not in what most names have in common.
-    fn rare<'a>(&self, found: Vec<&'a Person>) -> impl Iterator<Item = &'a Person> {
+    fn rare<'p>(&self, found: Vec<&'p Person>) -> impl Iterator<Item = &'p Person> {
         found.into_iter().filter(|it| !self.common.contains(&it.id))
     }
 
@@ -232,8 +248,14 @@ fn is_edge(c: Option<char>) -> bool {
     !c.is_some_and(char::is_alphanumeric)
 }
 
+/// Copies of the people who share a word with a name.
+fn near(index: &Index, name: &str) -> Vec<Person> {
+    index.near(name).into_iter().cloned().collect()
+}
+
 /// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.
-pub fn is_somebody(name: &str, people: &[Person], or_chosen: bool) -> bool {
+pub fn is_somebody(name: &str, index: &Index, or_chosen: bool) -> bool {
+    let people = &near(index, name)[..];
     !with_id(name, people).is_empty()
         || !named(name, people).is_empty()
         || !with_assigned_among(name, people).is_empty()
@@ -279,6 +301,11 @@ fn has_id_for_github(person: &Person, other: &Person) -> bool {
 fn is_outermost(text: &str, person: &Person) -> bool {
     let is = |own: &str| places(text, own).any(|at| at == 0 || at + own.len() == text.len());
     assigned(person).any(is)
+}
+
+/// Whether a login that a person has chosen begins a text that ends in brackets, such as `ada (late)`.
+fn is_beside_remark(text: &str, person: &Person) -> bool {
+    text.ends_with([')', ']']) && chosen(person).any(|own| places(text, own).next() == Some(0))
 }
 
 /// What stands before each login that ends a text and that a person has chosen.
@@ -349,8 +376,13 @@ impl Titles {
     }
 }
 
-/// Whether a text is a person's name as the roster writes it, with the last name first or last.
+/// Whether a text is a person's name as the roster writes it, with the last name first or last, and
+/// contains nothing that isn't a part of names, such as a number.
 fn is_written_as(text: &str, name: &str) -> bool {
+    let is_of_names = |c: char| c.is_alphabetic() || c.is_whitespace() || ",.-'’".contains(c);
+    if !text.nfc().all(is_of_names) {
+        return false;
+    }
     let words = |text: &str| -> Vec<String> {
         let words = text.split(|c: char| c.is_whitespace() || c == ',');
         let words = words.filter(|word| !word.is_empty());

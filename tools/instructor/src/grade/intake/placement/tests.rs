@@ -454,6 +454,12 @@ fn nobody_gets_a_submission_because_they_have_chosen_a_part_of_its_name() {
             &["Ada Lovelace (late)", "cd-2"],
             "[13]2",
         ),
+        (
+            name,
+            "Ada Lovelace (late)",
+            &["Ada Lovelace (late)", "cd-2"],
+            "[13]2",
+        ),
         // But a whole name is that person's.
         (
             name,
@@ -471,6 +477,7 @@ fn nobody_gets_a_submission_because_they_have_chosen_a_part_of_its_name() {
 fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
     let github: fn(&mut Person, &str) = |it, what| it.github = Some(what.into());
     let address: fn(&mut Person, &str) = |it, what| it.logins = vec![format!("{what}@x.org")];
+    let name: fn(&mut Person, &str) = |it, what| it.name = what.into();
     for (chosen, what, names, expected) in [
         (
             github,
@@ -486,6 +493,12 @@ fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
             "hw",
             &["hw_1_Ada Lovelace", "hw_1_Bob Babbage"],
             "[1][2]",
+        ),
+        (
+            name,
+            "HW 1",
+            &["hw-1-ada", "hw-1-bob", "hw-1-hacker"],
+            "124",
         ),
         // Only her own submission is in doubt if her login seems to begin in the title.
         (
