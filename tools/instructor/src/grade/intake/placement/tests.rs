@@ -460,6 +460,7 @@ fn nobody_gets_a_submission_because_they_have_chosen_a_part_of_its_name() {
             &["Ada Lovelace (late)", "cd-2"],
             "[13]2",
         ),
+        (name, "ada (late)", &["ada (late)", "cd-2"], "[13]2"),
         // But a whole name is that person's.
         (
             name,
