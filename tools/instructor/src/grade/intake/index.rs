@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use super::matching::{spellings, words};
+use super::matching::{spellings, without_accents, words};
 use super::roster::Person;
 
 /// People by the words that stand for them.
@@ -17,16 +17,17 @@ impl<'a> Index<'a> {
     /// of it that the fewest people have, and under all its words together.
     pub fn of(people: &'a [Person]) -> Index<'a> {
         let mut frequency: HashMap<String, usize> = HashMap::new();
-        for word in people.iter().flat_map(texts).flat_map(words) {
+        let all = people.iter().flat_map(texts);
+        for word in all.flat_map(|text| both_words(&text)).flatten() {
             *frequency.entry(word).or_default() += 1;
         }
         let mut by_word: HashMap<String, Vec<usize>> = HashMap::new();
         for (at, person) in people.iter().enumerate() {
-            let of = |text: &str| {
-                let words = words(text);
-                let together = words.concat();
-                let rarest = words.into_iter().min_by_key(|word| frequency[word]);
-                rarest.into_iter().chain([together])
+            let of = |text: String| {
+                let rarest = |words: Vec<String>| words.into_iter().min_by_key(|it| frequency[it]);
+                let together = words(&text).concat();
+                let rarest = both_words(&text).into_iter().filter_map(rarest);
+                rarest.chain([together]).collect::<Vec<_>>()
             };
             let all = texts(person).flat_map(of).chain(spellings(&person.name));
             for word in all.collect::<BTreeSet<_>>() {
@@ -39,15 +40,15 @@ impl<'a> Index<'a> {
     /// The people who share a word with a text, in the order of the roster. Nobody else can be meant
     /// by it or by a part of it.
     pub fn near(&self, text: &str) -> Vec<&'a Person> {
-        let words = words_of(text);
+        let words = [words_of(text), words_of(&without_accents(text))].concat();
         let found = words.iter().filter_map(|word| self.by_word.get(word));
         let found: BTreeSet<usize> = found.flatten().copied().collect();
         found.into_iter().map(|at| &self.people[at]).collect()
     }
 }
 
-/// What stands for a person.
-fn texts(person: &Person) -> impl Iterator<Item = &str> {
+/// What stands for a person, with and without accents.
+fn texts(person: &Person) -> impl Iterator<Item = String> {
     let locals = person.logins.iter().filter_map(|it| it.split_once('@'));
     let locals = locals.map(|(local, _)| local);
     let own = person
@@ -55,9 +56,18 @@ fn texts(person: &Person) -> impl Iterator<Item = &str> {
         .iter()
         .chain(&person.github)
         .chain(&person.group);
-    own.chain([&person.id, &person.name])
-        .map(String::as_str)
-        .chain(locals)
+    let own = own.chain([&person.id, &person.name]).map(String::as_str);
+    own.chain(locals)
+        .flat_map(|text| [text.to_owned(), without_accents(text)])
+}
+
+/// The words of a text, if punctuation ends a word, and if it does not.
+fn both_words(text: &str) -> [Vec<String>; 2] {
+    let spaced = text.split_whitespace().map(|word| words(word).concat());
+    [
+        words(text),
+        spaced.filter(|word| !word.is_empty()).collect(),
+    ]
 }
 
 /// The words of a text, and all of them together but for some at its beginning or at its end, which

@@ -27,10 +27,14 @@ pub fn is_folded(folded_text: &str, text: &str) -> bool {
     }
 }
 
+/// A text without accents.
+pub fn without_accents(text: &str) -> String {
+    text.nfkd().filter(|c| !is_combining_mark(*c)).collect()
+}
+
 /// The letters and digits of a text in lower case, without accents.
 fn unaccented(text: &str) -> String {
-    let letters: String = text.nfkd().filter(|c| !is_combining_mark(*c)).collect();
-    folded(&letters)
+    folded(&without_accents(text))
 }
 
 /// The ways to write a name in one word, with the last name first or last.

@@ -23,6 +23,8 @@ pub struct Convention<'a> {
     index: Index<'a>,
     before: Vec<String>,
     after: Vec<String>,
+    /// Titles before logins on GitHub.
+    on_github: Vec<String>,
     /// What stands before the logins of anybody.
     titles: Titles,
     /// Which of these may end in another login.
@@ -36,12 +38,15 @@ impl<'a> Convention<'a> {
     /// Looks at the names of a class.
     pub fn of(names: &[&str], people: &'a [Person]) -> Convention<'a> {
         let index = Index::of(people);
-        let (mut before, mut after) = (Titles::default(), Titles::default());
+        let [mut before, mut after, mut on_github] = [(); 3].map(|()| Titles::default());
         // A person's whole name has no title, even if it ends in a login that another has chosen.
         for name in names {
             let near = near(&index, name);
             if named(name, &near).is_empty() {
-                before.add(&titles_before(name, &near));
+                before.add(&titles_before(name, &near, all_logins));
+                on_github.add(&titles_before(name, &near, |it| {
+                    Box::new(it.github.as_deref().into_iter())
+                }));
                 after.add(&titles_after(name, &near));
             }
         }
@@ -52,6 +57,7 @@ impl<'a> Convention<'a> {
             doubtful: doubtful.cloned().collect(),
             before: before.certain(starts),
             after: after.certain(|long, short| long.ends_with(short)),
+            on_github: on_github.certain(starts),
             titles: before,
             common: BTreeSet::new(),
         };
@@ -125,8 +131,14 @@ impl<'a> Convention<'a> {
             }
         }
         match once[..] {
-            [person] if is_name => (of_whole(name, false, person), once),
-            [person] if is_login => (of_whole(rest, has_title, person), once),
+            [person] if is_name && is_written_as(name, &person.name) => {
+                // A name without a space may be the login of somebody whose login the roster lacks.
+                let may_be_login = !name.contains(char::is_whitespace);
+                (if may_be_login { Proof::Name } else { Proof::Id }, once)
+            }
+            [_] if is_name => (Proof::Name, once),
+            [person] if is_login && has_title => (self.of_login(name, rest, person), once),
+            [_] if is_login => (Proof::Name, once),
             [person] => (self.of_part(rest, person), once),
             _ => (Proof::Hint, once),
         }
@@ -172,26 +184,52 @@ impl<'a> Convention<'a> {
         found
     }
 
-    /// The people that may be meant by a part of a name. Within a name, a number may be a part of the
-    /// title.
+    /// The people that may be meant by a part of a name. If an id and a name agree, no other id or
+    /// name counts, because a name may contain a login, and a title may contain a number.
     fn with_part<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let (rest, _) = self.without_title(name);
         let assigned: Vec<_> = self.rare(with_assigned_among(rest, people)).collect();
-        let outermost = assigned.iter().copied().filter(|it| is_outermost(rest, it));
-        let outermost: Vec<_> = outermost.collect();
-        if outermost.is_empty() {
-            let chosen = self.rare(with_chosen_among(rest, people));
-            let others = chosen.chain(self.rare(named_among(name, people)));
-            return assigned.into_iter().chain(others).collect();
+        let names: Vec<_> = self.rare(named_among(name, people)).collect();
+        let both: Vec<_> = assigned
+            .iter()
+            .copied()
+            .filter(|it| names.contains(it))
+            .collect();
+        let mut found = match both.len() {
+            1 => both,
+            _ => [&assigned[..], &names].concat(),
+        };
+        let outermost: Vec<_> = assigned
+            .iter()
+            .filter(|it| is_outermost(rest, it))
+            .collect();
+        match outermost.is_empty() {
+            true => found.extend(self.rare(with_chosen_among(rest, people))),
+            false => {
+                let has_id = |it: &&Person| outermost.iter().any(|own| has_id_for_github(it, own));
+                found.extend(people.iter().filter(has_id));
+            }
         }
-        let is_contested = |it: &&Person| outermost.iter().any(|own| has_id_for_github(it, own));
-        let contested = people.iter().filter(is_contested);
-        outermost.iter().copied().chain(contested).collect()
+        found
     }
 
     /// Those who are not in what most names have in common.
     fn rare<'p>(&self, found: Vec<&'p Person>) -> impl Iterator<Item = &'p Person> {
         found.into_iter().filter(|it| !self.common.contains(&it.id))
+    }
+
+    /// How much a text proves that may be a person's login, because it follows a title.
+    fn of_login(&self, name: &str, text: &str, person: &Person) -> Proof {
+        let is = |own: &str| own.eq_ignore_ascii_case(text);
+        let title = &name[..name.len() - text.len()];
+        let is_on_github = person.github.as_deref().is_some_and(is);
+        let is_name = !named(text, std::slice::from_ref(person)).is_empty();
+        let is_login = assigned(person).chain(chosen(person)).any(is);
+        match () {
+            () if is_on_github && self.on_github.iter().any(|it| it == title) => Proof::Id,
+            () if is_name && !is_login && !text.contains(char::is_whitespace) => Proof::Hint,
+            () => Proof::Name,
+        }
     }
 
     /// How much a part of a text proves that is a person's.
@@ -201,23 +239,6 @@ impl<'a> Convention<'a> {
             true => Proof::Name,
             false => Proof::Hint,
         }
-    }
-}
-
-/// How much a text proves that is a person's as a whole, perhaps after a title.
-fn of_whole(text: &str, has_title: bool, person: &Person) -> Proof {
-    let is = |own: &str| own.eq_ignore_ascii_case(text);
-    let is_on_github = person.github.as_deref().is_some_and(is);
-    let is_login = assigned(person).chain(chosen(person)).any(is);
-    let is_name = !named(text, std::slice::from_ref(person)).is_empty();
-    // A name without a space may be the login of somebody whose login the roster lacks. After a
-    // title, it is a login.
-    let may_be_login = !text.contains(char::is_whitespace);
-    match (has_title, may_be_login) {
-        (true, _) if is_on_github => Proof::Id,
-        (true, true) if is_name && !is_login => Proof::Hint,
-        (false, false) if is_name => Proof::Id,
-        _ => Proof::Name,
     }
 }
 
@@ -237,11 +258,13 @@ fn assigned(person: &Person) -> impl Iterator<Item = &str> {
     id.into_iter().chain(&person.logins).map(String::as_str)
 }
 
-/// What a person may have chosen: a login on GitHub, and the beginnings of addresses.
+/// What a person may have chosen: a login on GitHub, the beginnings of addresses, and the name of a
+/// group.
 fn chosen(person: &Person) -> impl Iterator<Item = &str> {
     let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
     let locals = addresses.map(|(local, _)| local);
-    locals.chain(person.github.as_deref())
+    let others = person.github.iter().chain(&person.group);
+    locals.chain(others.map(String::as_str))
 }
 
 fn is_edge(c: Option<char>) -> bool {
@@ -314,17 +337,25 @@ fn before_chosen<'t>(text: &'t str, person: &'t Person) -> impl Iterator<Item = 
     chosen(person).flat_map(ends).map(|at| &text[..at])
 }
 
-/// What stands before each login that ends a name, and the login's person.
-fn titles_before<'a, 'n>(name: &'n str, people: &'a [Person]) -> BTreeSet<(&'n str, &'a str)> {
-    let of = |person: &'a Person| {
-        let logins = assigned(person).chain(chosen(person));
-        let ends =
-            logins.flat_map(|own| places(name, own).filter(|at| at + own.len() == name.len()));
-        ends.filter(|at| *at > 0)
-            .map(|at| (&name[..at], &*person.id))
-            .collect::<Vec<_>>()
-    };
-    people.iter().flat_map(of).collect()
+/// What was assigned to a person, and what the person may have chosen.
+fn all_logins(person: &Person) -> Box<dyn Iterator<Item = &str> + '_> {
+    Box::new(assigned(person).chain(chosen(person)))
+}
+
+/// What stands before each of these logins that ends a name, and the login's person.
+fn titles_before<'a, 'n>(
+    name: &'n str,
+    people: &'a [Person],
+    logins: fn(&Person) -> Box<dyn Iterator<Item = &str> + '_>,
+) -> BTreeSet<(&'n str, &'a str)> {
+    let mut found = BTreeSet::new();
+    for person in people {
+        for own in logins(person) {
+            let ends = places(name, own).filter(|at| *at > 0 && at + own.len() == name.len());
+            found.extend(ends.map(|at| (&name[..at], &*person.id)));
+        }
+    }
+    found
 }
 
 /// What stands after each login that begins a name, and the login's person.

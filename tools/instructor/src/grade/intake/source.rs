@@ -97,6 +97,20 @@ impl Source<'_> {
         2 * self.people_among(tops.iter().copied()) > tops.len()
     }
 
+    /// Whether the name of an archive, or of the only folder in it, says whose all of it is. What a
+    /// platform has exported is a class, even if somebody's display name is in the archive's name.
+    fn is_owners(&self, name: &str, found: &[FoundFile]) -> bool {
+        let is_given = |name: &String| !names::platforms(name).is_empty();
+        let tops = found.iter().filter_map(|found| found.path.first());
+        let tops: BTreeSet<&String> = tops.collect();
+        let given = tops.iter().filter(|top| is_given(top)).count();
+        let is_export = 2 * given > tops.len() && !is_given(&name.to_owned());
+        match is_export {
+            true => (self.is_id)(file_names::stem(name)),
+            false => self.is_person(name, false),
+        }
+    }
+
     /// Whether this is a folder of submissions, and not a single submission.
     pub fn is_class(&self) -> bool {
         if self.found.iter().any(|found| found.path.is_empty()) {
@@ -106,7 +120,7 @@ impl Source<'_> {
         if self.is_archive || !names::platforms(&self.name).is_empty() {
             return self.is_archive
                 && !self.found.is_empty()
-                && !self.is_person(&self.name, false)
+                && !self.is_owners(&self.name, &self.found)
                 && self.names_people(&self.found);
         }
         // One person's folder may contain folders with names of others. But somebody may have

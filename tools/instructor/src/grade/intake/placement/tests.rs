@@ -539,3 +539,68 @@ fn nobody_puts_a_class_in_doubt_because_they_have_chosen_a_part_of_the_title() {
     let names = names.each_ref().map(String::as_str);
     assert_eq!(whose(&names, &people), "12[3]");
 }
+
+#[test]
+fn an_id_and_a_name_that_agree_outweigh_other_logins_and_numbers() {
+    let mut people = vec![
+        person("1001", "Ana Turing"),
+        person("1002", "Ana Alan Park"),
+        person("3", "Eve Evans"),
+    ];
+    people[0].logins = vec!["ana".into()];
+    people[1].logins = vec!["alan".into()];
+    for (name, expected) in [
+        ("Ana Alan Park (1002)", "2"),
+        ("hw1_1002_Ana_Alan_Park", "2"),
+        ("Ana Turing 3", "1"),
+        ("Eve Evans 1001", "[13]"),
+        ("3 Eve Evans", "3"),
+    ] {
+        assert_eq!(whose(&[name], &people), expected, "{name}");
+    }
+}
+
+#[test]
+fn everyone_near_a_name_is_compared_with_it() {
+    let mut people = vec![
+        person("1001", "Sean O'Neil"),
+        person("1002", "Sean Connery"),
+        person("1003", "Zoe Muller"),
+        person("1004", "Eve Evans"),
+    ];
+    people[0].group = Some("team-a".into());
+    people[1].group = Some("team-b".into());
+    for (name, expected) in [
+        ("hw1_Sean_Oneil_late", "[1]"),
+        ("hw1_Sean_O'Neil_late", "[1]"),
+        ("Zo\u{eb} M\u{fc}ller", "3"),
+        ("muller, zoe", "3"),
+    ] {
+        assert_eq!(whose(&[name], &people), expected, "{name}");
+    }
+    assert_eq!(whose(&["hw1-team-a", "hw1-team-b"], &people), "12");
+}
+
+#[test]
+fn a_login_on_github_is_certain_only_after_a_title_of_such_logins() {
+    let people = |github: [&str; 3]| -> Vec<Person> {
+        let all = [
+            ("11", "Ada Lovelace"),
+            ("12", "Bob Babbage"),
+            ("13", "Eve Evans"),
+        ];
+        let person = |((id, name), github): ((&str, &str), &str)| Person {
+            github: (!github.is_empty()).then(|| github.to_owned()),
+            ..person(id, name)
+        };
+        all.into_iter().zip(github).map(person).collect()
+    };
+    let by_id = place(
+        &entries(&["hw1_11", "hw1_12", "hw1_0099"]),
+        Some(&people(["", "", "0099"])),
+    );
+    assert!(by_id.by_name.contains(&"hw1_0099".into()), "{by_id:?}");
+    let names = ["hw1-ada", "hw1-bob", "hw1-eve"];
+    let on_github = place(&entries(&names), Some(&people(["ada", "bob", "eve"])));
+    assert_eq!((on_github.of.len(), on_github.by_name.len()), (3, 0));
+}
