@@ -5,7 +5,6 @@ use unicode_normalization::UnicodeNormalization;
 use unicode_normalization::char::is_combining_mark;
 
 use super::names::Sign;
-use super::plain::Convention;
 use super::roster::Person;
 
 /// The letters and digits of a text in lower case, with accents composed.
@@ -262,34 +261,6 @@ pub fn named_among<'a>(text: &str, people: &'a [Person]) -> Vec<&'a Person> {
         .collect()
 }
 
-/// The people that a sign may mean, and how much it proves if it means only one.
-pub fn meant<'a>(
-    sign: &Sign,
-    people: &'a [Person],
-    convention: &Convention<'a>,
-) -> (Proof, Vec<&'a Person>) {
-    match sign {
-        Sign::Login(text) => {
-            let is_assigned = |(title, person): (&str, &Person)| {
-                let mut all = [&person.id].into_iter().chain(&person.logins);
-                all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
-            };
-            let proof = match titled(sign, people).into_iter().all(is_assigned) {
-                true => Proof::Id,
-                false => Proof::Name,
-            };
-            let owners = titled(sign, people).into_iter();
-            (proof, owners.map(|(_, person)| person).collect())
-        }
-        Sign::Account {
-            number,
-            name,
-            may_be_group,
-        } => account(number, name, *may_be_group, people),
-        Sign::Plain(name) => convention.meant(name),
-    }
-}
-
 /// Whether two names have a word in common.
 fn share_word(name: &str, other: &str) -> bool {
     let words = |text: &str| -> Vec<String> {
@@ -304,7 +275,7 @@ fn share_word(name: &str, other: &str) -> bool {
 /// change their names, unless the number may be a group's. If the number stands beside a name that
 /// isn't the person's, the instructor should check it, because the author of an archive may have
 /// chosen both.
-fn account<'a>(
+pub fn account<'a>(
     number: &str,
     name: &str,
     may_be_group: bool,

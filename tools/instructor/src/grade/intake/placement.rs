@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::matching::{Proof, meant, titled};
+use super::matching::{Proof, account, titled};
 use super::names::Sign;
 use super::plain::{Convention, Titles};
 use super::roster::Person;
@@ -48,6 +48,34 @@ impl Placement {
             }
         }
         people
+    }
+}
+
+/// The people that a sign may mean, and how much it proves if it means only one.
+fn meant<'a>(
+    sign: &Sign,
+    people: &'a [Person],
+    convention: &Convention<'a>,
+) -> (Proof, Vec<&'a Person>) {
+    match sign {
+        Sign::Login(text) => {
+            let is_assigned = |(title, person): (&str, &Person)| {
+                let mut all = [&person.id].into_iter().chain(&person.logins);
+                all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
+            };
+            let proof = match titled(sign, people).into_iter().all(is_assigned) {
+                true => Proof::Id,
+                false => Proof::Name,
+            };
+            let owners = titled(sign, people).into_iter();
+            (proof, owners.map(|(_, person)| person).collect())
+        }
+        Sign::Account {
+            number,
+            name,
+            may_be_group,
+        } => account(number, name, *may_be_group, people),
+        Sign::Plain(name) => convention.meant(name),
     }
 }
 
