@@ -222,7 +222,7 @@ fn times_in(
 enum GroupKey<'a> {
     /// The platform's number.
     Number(&'a str),
-    /// The group's name as it is written, if there is no number.
+    /// The group's name, if it has no number.
     Name(&'a str),
 }
 

@@ -37,8 +37,8 @@ impl<'a> Index<'a> {
         Index { people, by_word }
     }
 
-    /// The people who share a word with a text, in the order of the roster. Nobody else can be meant
-    /// by it or by a part of it.
+    /// The people who share such a word with a text, in the order of the roster. Among other words,
+    /// a name whose words are divided in another way is overlooked, such as `adalove-lace`.
     pub fn near(&self, text: &str) -> Vec<&'a Person> {
         let words = [words_of(text), words_of(&without_accents(text))].concat();
         let found = words.iter().filter_map(|word| self.by_word.get(word));

@@ -225,10 +225,12 @@ impl<'a> Convention<'a> {
         let is_on_github = person.github.as_deref().is_some_and(is);
         let is_name = !named(text, std::slice::from_ref(person)).is_empty();
         let is_login = assigned(person).chain(chosen(person)).any(is);
-        match () {
-            () if is_on_github && self.on_github.iter().any(|it| it == title) => Proof::Id,
-            () if is_name && !is_login && !text.contains(char::is_whitespace) => Proof::Hint,
-            () => Proof::Name,
+        if is_on_github && self.on_github.iter().any(|it| it == title) {
+            return Proof::Id;
+        }
+        match is_name && !is_login && !text.contains(char::is_whitespace) {
+            true => Proof::Hint,
+            false => Proof::Name,
         }
     }
 

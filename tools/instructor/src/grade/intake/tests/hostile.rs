@@ -321,6 +321,21 @@ fn an_e_mail_address_elsewhere_puts_nobodys_submission_in_doubt() {
 }
 
 #[test]
+fn a_display_name_like_that_of_a_platforms_archive_does_not_take_the_class() {
+    let export = Export::new();
+    let upload = |name: &str, whose: &str| (name.to_owned(), zip(&answers("", whose)));
+    let class = [
+        upload("lovelaceada_11_501_hw.zip", "ada"),
+        upload("brownbob_13_503_hw.zip", "bob"),
+    ];
+    export.put("submissions.zip", &zip(&class));
+    let list = "id,name,number\n1,Ada Lovelace,11\n2,Submissions,12\n3,Bob Brown,13\n";
+    let found = placed(&export, &["submissions.zip"], list);
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    assert_eq!(all_of(&found, "2"), [""; 0], "{:#?}", found.1);
+}
+
+#[test]
 fn a_chosen_login_like_a_folder_of_the_handout_takes_nobodys_submission() {
     let export = Export::new();
     export.put_all("late/src", answers("", "ada"));
