@@ -52,7 +52,8 @@ pub struct Examiner<'a> {
     pub program: &'a Program,
     /// The sandbox that it runs in.
     pub sandbox: &'a Sandbox,
-    /// How long each process may take.
+    /// How long each process may take. If nobody waits for the result, see
+    /// [`Limits::of_answers`](crate::sandbox::Limits::of_answers).
     pub wall: Duration,
     /// Whether someone waits for the result. If so, trusted code is asked several things at a
     /// time, and a process that sends nothing for a fifteenth of `wall` (but at least 2 s) is

@@ -204,13 +204,11 @@ impl Examiner<'_> {
 
     /// Asks, even if [`Clock::check`] would refuse the reply.
     pub(super) fn ask_without_check(&self, what: &str, job: &Job, wall: Duration) -> Result<Reply> {
-        let mut limits = match self.clock {
+        let limits = match self.clock {
             Some(clock) => clock.limits(what),
+            None if self.interactive => Limits::of_own_answers(wall),
             None => Limits::of_answers(wall),
         };
-        if self.interactive {
-            limits = limits.for_own_answers();
-        }
         let reply = timed(&format!("ask {what}"), || {
             run(self.program, self.sandbox, &limits, job, &mut |done| {
                 (self.progress)(what, done as f64 / job.len().max(1) as f64);

@@ -76,14 +76,15 @@ impl Limits {
         }
     }
 
-    /// Limits for a built program that may answer for this long. It gets every core for the whole
-    /// time, so only the clock ends a long answer.
-    pub fn of_answers(wall: Duration) -> Limits {
+    /// Limits for a built program that may take `time` to answer, on every core. Only the silence
+    /// between two answers counts, and it stands still while the program gets no processor, so
+    /// other work on this machine changes nothing.
+    pub fn of_answers(time: Duration) -> Limits {
         Limits {
-            cpu: wall * cores() as u32 + Duration::from_secs(2),
-            wall,
-            silence: wall,
-            idle: wall,
+            cpu: time * cores() as u32 + Duration::from_secs(2),
+            wall: time * BUSY,
+            silence: time,
+            idle: time,
             memory: ADDRESS_SPACE / 2,
             file_size: 0,
             open_files: 64,
@@ -92,18 +93,13 @@ impl Limits {
         }
     }
 
-    /// Like [`Limits::of_answers`], but for someone who waits for their own code, so an endless
-    /// loop is noticed long before `wall` is over.
+    /// Like [`Limits::of_answers`], but for someone who waits for their own code. So `wall` is on
+    /// the clock, and an endless loop is noticed long before.
     pub fn of_own_answers(wall: Duration) -> Limits {
-        Limits::of_answers(wall).for_own_answers()
-    }
-
-    /// These limits, but with less silence: see [`Limits::of_own_answers`].
-    pub fn for_own_answers(self) -> Limits {
-        let silence = (self.wall / SILENCE).max(LEAST_SILENCE);
         Limits {
-            silence: self.silence.min(silence),
-            ..self
+            wall,
+            silence: (wall / SILENCE).max(LEAST_SILENCE).min(wall),
+            ..Limits::of_answers(wall)
         }
     }
 
@@ -135,6 +131,9 @@ impl Limits {
 /// program that is sixty times slower needs less than half of the limit.
 const SILENCE: u32 = 15;
 
+/// When nobody waits, this machine may give a program as little as a twentieth of its time.
+const BUSY: u32 = 20;
+
 /// Doubles the time, because the machine may do other things as well.
 fn wall_of(cpu: Duration) -> Duration {
     cpu * 2 + Duration::from_secs(2)
@@ -152,15 +151,13 @@ mod tests {
     const SECOND: Duration = Duration::from_secs(1);
 
     #[test]
-    fn an_answer_gets_every_core_until_the_clock_ends_it_and_writes_no_file() {
-        let wall = 10 * SECOND;
-        let limits = Limits::of_answers(wall);
-        assert_eq!(
-            (limits.wall, limits.silence, limits.idle),
-            (wall, wall, wall)
-        );
+    fn an_answer_gets_every_core_until_it_is_silent_for_too_long_and_writes_no_file() {
+        let time = 10 * SECOND;
+        let limits = Limits::of_answers(time);
+        assert_eq!((limits.silence, limits.idle), (time, time));
+        assert!(limits.wall > 10 * time);
         let cores = std::thread::available_parallelism().unwrap().get() as u32;
-        assert!(limits.cpu > wall * cores && limits.cpu < (wall + SECOND) * cores + 5 * SECOND);
+        assert!(limits.cpu > time * cores && limits.cpu < (time + SECOND) * cores + 5 * SECOND);
         // The watchdog sees what is used before the kernel refuses more.
         assert!(limits.memory >= 1 << 30 && limits.memory < limits.address_space);
         assert!((8..=32).contains(&(limits.processes - u64::from(cores))));
@@ -169,7 +166,11 @@ mod tests {
 
     #[test]
     fn an_author_waits_a_fifteenth_of_the_time_for_a_silent_answer_but_at_least_two_seconds() {
-        let silence = |wall: u32| Limits::of_own_answers(wall * SECOND).silence;
+        let silence = |wall: u32| {
+            let limits = Limits::of_own_answers(wall * SECOND);
+            assert_eq!(limits.wall, wall * SECOND);
+            limits.silence
+        };
         assert_eq!(
             [1, 15, 30, 60].map(silence),
             [1, 2, 2, 4].map(|it: u32| it * SECOND)
