@@ -36,7 +36,8 @@ fn unaccented(text: &str) -> String {
     folded(&without_accents(text))
 }
 
-/// The ways to write a name in one word, with the last name first or last.
+/// The ways to write a name in one word, with the last name first or last. No last name begins
+/// after more words than [`MOST_FIRST_NAMES`].
 fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
     let words: Vec<String> = name
         .split(|c: char| c.is_whitespace() || c == ',')
@@ -44,8 +45,11 @@ fn turned(name: &str, fold: &dyn Fn(&str) -> String) -> Vec<String> {
         .filter(|word| !word.is_empty())
         .collect();
     let turned = |k: usize| [&words[k..], &words[..k]].concat().concat();
-    (0..words.len()).map(turned).collect()
+    (0..words.len().min(MOST_FIRST_NAMES)).map(turned).collect()
 }
+
+/// Somebody may have chosen a name of hundreds of words, and comparing it in each order takes long.
+const MOST_FIRST_NAMES: usize = 16;
 
 /// A person's name in one word, in every order and with and without accents.
 pub fn spellings(name: &str) -> Vec<String> {

@@ -172,7 +172,8 @@ impl<'a> Convention<'a> {
     }
 
     /// The people that may be meant by a name that is, after a title, the login of some of them, or
-    /// the name of their group. What looks like the title may contain a part of somebody's name.
+    /// the name of their group. What looks like the title may contain a part of somebody's name, and
+    /// what looks like a chosen login may be another's and the name of a branch.
     fn with_login<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let (rest, has_title) = self.without_title(name);
         let mut found = whole(rest, people);
@@ -180,6 +181,9 @@ impl<'a> Convention<'a> {
         found.extend(self.rare(named_among(name, people)));
         if !has_title {
             found.extend(self.rare(with_chosen_among(name, people)));
+        }
+        if let (false, Some(login)) = (is_id(rest, people), without_branch(rest)) {
+            found.extend(whole(login, people));
         }
         found
     }
@@ -331,6 +335,14 @@ fn is_outermost(text: &str, person: &Person) -> bool {
 /// Whether a login that a person has chosen begins a text that ends in brackets, such as `ada (late)`.
 fn is_beside_remark(text: &str, person: &Person) -> bool {
     text.ends_with([')', ']']) && chosen(person).any(|own| places(text, own).next() == Some(0))
+}
+
+/// A text without the branch that GitHub adds to an archive's name, or the number that a browser
+/// adds to a second download.
+fn without_branch(text: &str) -> Option<&str> {
+    let (before, last) = text.rsplit_once('-')?;
+    let is_number = last.bytes().all(|byte| byte.is_ascii_digit());
+    (is_number || ["main", "master"].contains(&last)).then_some(before)
 }
 
 /// What stands before each login that ends a text and that a person has chosen.

@@ -432,6 +432,8 @@ fn nobody_gets_a_submission_because_they_have_chosen_a_part_of_its_name() {
         (github, "late", &["hw1-ada-late", "hw1-bob"], "[13]2"),
         (github, "late", &["Ada Lovelace-late", "cd-2"], "[13]2"),
         (github, "main", &["hw1-ada-main"], "[13]"),
+        (github, "ada-main", &["hw1-ada-main", "hw1-bob"], "[13]2"),
+        (github, "ada-1", &["hw1-ada-1", "hw1-bob"], "[13]2"),
         (address, "late", &["Eve Evans-late", "cd-2"], "[34]2"),
         (
             address,
