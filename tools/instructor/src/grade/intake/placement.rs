@@ -196,4 +196,4 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
 }
 
 #[cfg(test)]
-mod tests;
+pub mod tests;

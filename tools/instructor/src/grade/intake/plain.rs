@@ -438,3 +438,6 @@ fn is_written_as(text: &str, name: &str) -> bool {
     let (text, name) = (words(text), words(name));
     (0..name.len()).any(|k| [&name[k..], &name[..k]].concat() == text)
 }
+
+#[cfg(test)]
+pub mod tests;
