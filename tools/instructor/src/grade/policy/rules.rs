@@ -1,6 +1,6 @@
 //! `policy.toml`, as a lecturer writes it. Everything is optional.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
 
@@ -101,9 +101,10 @@ pub enum PercentageBase {
 pub struct LateDays {
     /// How many of these days each person has.
     pub budget: u32,
-    /// The `grades.csv` files of earlier assignments, which say how many days have been spent.
+    /// The `grades.csv` files of earlier assignments, which say how many days have been spent. A
+    /// file that is named twice counts once.
     #[serde(default)]
-    pub spent: Vec<String>,
+    pub spent: BTreeSet<String>,
 }
 
 /// Tasks whose points are extra credit, on top of the possible points.
