@@ -137,9 +137,15 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         let names = entries.iter().filter(|entry| entry.name.starts_with(title));
         names.take(2).count() < 2
     };
+    // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
+    let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
+    let is_export = 2 * entries.iter().filter(is_given).count() > entries.len();
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
         let (mut proof, found) = owners(entry, people, &convention);
+        if !is_export && is_given(&entry) {
+            proof = proof.min(Proof::Name);
+        }
         let title = titled_by(entry).into_iter().next().map(|(title, _)| title);
         if title.as_ref().is_some_and(is_lone) {
             proof = proof.min(Proof::Name);

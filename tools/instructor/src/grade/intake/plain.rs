@@ -131,11 +131,6 @@ impl<'a> Convention<'a> {
             }
         }
         match once[..] {
-            [person] if is_name && is_written_as(name, &person.name) => {
-                // A name without a space may be the login of somebody whose login the roster lacks.
-                let may_be_login = !name.contains(char::is_whitespace);
-                (if may_be_login { Proof::Name } else { Proof::Id }, once)
-            }
             [_] if is_name => (Proof::Name, once),
             [person] if is_login && has_title => (self.of_login(name, rest, person), once),
             [_] if is_login => (Proof::Name, once),

@@ -103,8 +103,10 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     // In Canvas's gradebook, `ID` is Canvas's own number, and in Moodle's German lists, Moodle's.
     let is_platforms = ["sisuserid", "idnummer"].contains(&table.name(id));
     let number = number.or(of(&["id"]).filter(|_| is_platforms));
-    // In Classroom 50's roster, `username` is the login on GitHub.
-    let is_classroom = of(&["githubid"]).is_some();
+    // In the rosters of GitHub's classrooms, `identifier` is the id that the instructor chose and, in
+    // Classroom 50's, `username` is the login on GitHub.
+    let is_classroom = of(&["githubid", "githubusername"]).is_some();
+    let number = number.filter(|_| !is_classroom);
     let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
     let logins = LOGIN.iter().filter_map(|name| of(&[name]));
     let logins: Vec<usize> = logins.filter(|at| Some(*at) != github).collect();
@@ -261,6 +263,10 @@ mod tests {
             (ada[0].id.as_str(), ada[0].github.as_deref()),
             ("countess", Some("countess"))
         );
+        let classroom = "identifier,github_username,github_id,name\n\
+            ada@cs50.edu,countess,1,Ada\nbob@cs50.edu,bob,2,Bob\n";
+        let ada = people(classroom.as_bytes()).expect("it is a roster");
+        assert_eq!((&*ada[0].id, &ada[0].number), ("ada@cs50.edu", &None));
         let list = "First name,Last name,ID number\nAda,Lovelace,20231234\n";
         let ada = people(list.as_bytes()).expect("it is a roster").remove(0);
         assert_eq!(ada.name, "Ada Lovelace");

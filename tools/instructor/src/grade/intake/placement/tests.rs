@@ -272,7 +272,7 @@ fn a_name_of_one_word_is_not_looked_for_among_other_words() {
 
 #[test]
 fn several_submissions_by_one_person_are_all_listed() {
-    let plain = ["s1", "Ada Lovelace"];
+    let plain = ["s2", "ghopper@uni.example"];
     let placed = place(&entries(&plain), Some(&people()));
     assert!(placed.superseded.is_empty());
     assert_eq!(placed.several.len(), 1);
@@ -280,17 +280,38 @@ fn several_submissions_by_one_person_are_all_listed() {
 }
 
 #[test]
-fn a_name_that_may_be_a_login_is_listed() {
-    // `samlee` may be the login of somebody else, because the roster has no logins.
-    for (name, is_listed) in [("samlee", true), ("plato", true), ("Ada Lovelace", false)] {
+fn a_folder_that_only_a_persons_name_places_is_listed() {
+    // `samlee` may be the login of somebody else, because the roster has no logins. The folder
+    // `Ada Lovelace, late` may be Ada Lovelace's.
+    for name in ["samlee", "plato", "Sam Lee", "Ada Lovelace, late"] {
         let people = [
             person("s4", "Sam Lee"),
             person("s9", "Plato"),
             person("s1", "Ada Lovelace"),
+            person("s2", "Ada Lovelace Late"),
         ];
         let placed = place(&entries(&[name]), Some(&people));
         assert_eq!(placed.of.len(), 1, "{name}");
-        assert_eq!(placed.by_name == [name], is_listed, "{name}");
+        assert_eq!(placed.by_name, [name]);
+    }
+}
+
+#[test]
+fn a_single_name_like_a_platforms_is_listed() {
+    let mut people = people();
+    people[0].number = Some("11".into());
+    let chosen = "lovelaceada_11_501_hw.zip";
+    for (others, is_listed) in [
+        (["s2", "s3"], true),
+        (
+            ["hoppergrace_12_502_hw.zip", "mullerzoe_13_503_hw.zip"],
+            false,
+        ),
+    ] {
+        let names = [chosen, others[0], others[1]];
+        let placed = place(&entries(&names), Some(&people));
+        assert_eq!(placed.of[chosen].id, "s1");
+        assert_eq!(placed.by_name.iter().any(|it| it == chosen), is_listed);
     }
 }
 

@@ -25,6 +25,19 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 }
 
 #[test]
+fn a_folder_with_names_of_others_beside_single_submissions_is_listed() {
+    let export = Export::new();
+    export.put_all("clones/hw1-mal/2001", answers("", "mallory"));
+    export.put_all("clones/hw1-bob", answers("", "bob"));
+    let list = "id,name,github\n2001,Ada Lovelace,ada\n2002,Mal Mann,mal\n2003,Bob Boole,bob\n";
+    let (intake, placed) = placed(&export, &["clones/hw1-mal", "clones/hw1-bob"], list);
+    let of_mallory = &intake.entries[0];
+    assert_eq!(of_mallory.id, "2001");
+    assert!(of_mallory.doubts[0].contains("contains names of people"));
+    assert!(placed.by_name.contains(&of_mallory.id), "{placed:?}");
+}
+
+#[test]
 fn a_folder_named_after_a_person_is_not_a_class() {
     let person = |id: &str, name: &str| Person {
         id: id.into(),
@@ -287,8 +300,9 @@ fn a_chosen_address_or_login_like_somebodys_name_takes_nobodys_submission() {
         export.put_all(&format!("class/{folder}"), answers("", "ada"));
         export.put_all("class/Bob Boole", answers("", "bob"));
         let (_, placed) = placed(&export, &["class"], &list);
-        let is_listed = placed.ambiguous.len() + placed.by_name.len() == 1;
-        assert!(is_listed, "{folder}: {placed:#?}");
+        // So is Bob's submission, because it has only his name.
+        let listed = placed.ambiguous.len() + placed.by_name.len();
+        assert_eq!(listed, 2, "{folder}: {placed:#?}");
     }
 }
 
