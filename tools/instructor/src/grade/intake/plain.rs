@@ -132,7 +132,7 @@ impl<'a> Convention<'a> {
         }
         match once[..] {
             [_] if is_name => (Proof::Name, once),
-            [person] if is_login && has_title => (self.of_login(name, rest, person), once),
+            [person] if is_login && has_title => (self.of_login(name, rest, person, people), once),
             [_] if is_login => (Proof::Name, once),
             [person] => (self.of_part(rest, person), once),
             _ => (Proof::Hint, once),
@@ -167,8 +167,7 @@ impl<'a> Convention<'a> {
     }
 
     /// The people that may be meant by a name that is, after a title, the login of some of them, or
-    /// the name of their group. What looks like the title may contain a part of somebody's name, and
-    /// what looks like a chosen login may be another's and the name of a branch.
+    /// the name of their group. What looks like the title may contain a part of somebody's name.
     fn with_login<'p>(&self, name: &str, people: &'p [Person]) -> Vec<&'p Person> {
         let (rest, has_title) = self.without_title(name);
         let mut found = whole(rest, people);
@@ -176,9 +175,6 @@ impl<'a> Convention<'a> {
         found.extend(self.rare(named_among(name, people)));
         if !has_title {
             found.extend(self.rare(with_chosen_among(name, people)));
-        }
-        if let (false, Some(login)) = (is_id(rest, people), without_branch(rest)) {
-            found.extend(whole(login, people));
         }
         found
     }
@@ -217,14 +213,15 @@ impl<'a> Convention<'a> {
         found.into_iter().filter(|it| !self.common.contains(&it.id))
     }
 
-    /// How much a text proves that may be a person's login, because it follows a title.
-    fn of_login(&self, name: &str, text: &str, person: &Person) -> Proof {
+    /// How much a text proves that may be a person's login, because it stands beside a title.
+    fn of_login(&self, name: &str, text: &str, person: &Person, people: &[Person]) -> Proof {
         let is = |own: &str| own.eq_ignore_ascii_case(text);
-        let title = &name[..name.len() - text.len()];
         let is_on_github = person.github.as_deref().is_some_and(is);
         let is_name = !named(text, std::slice::from_ref(person)).is_empty();
         let is_login = assigned(person).chain(chosen(person)).any(is);
-        if is_on_github && self.on_github.iter().any(|it| it == title) {
+        let title = name.strip_suffix(text);
+        let has_title = title.is_some_and(|title| self.on_github.iter().any(|it| it == title));
+        if is_on_github && has_title && !may_have_branch(text, person, people) {
             return Proof::Id;
         }
         match is_name && !is_login && !text.contains(char::is_whitespace) {
@@ -332,12 +329,11 @@ fn is_beside_remark(text: &str, person: &Person) -> bool {
     text.ends_with([')', ']']) && chosen(person).any(|own| places(text, own).next() == Some(0))
 }
 
-/// A text without the branch that GitHub adds to an archive's name, or the number that a browser
-/// adds to a second download.
-fn without_branch(text: &str) -> Option<&str> {
-    let (before, last) = text.rsplit_once('-')?;
-    let is_number = last.bytes().all(|byte| byte.is_ascii_digit());
-    (is_number || ["main", "master"].contains(&last)).then_some(before)
+/// Whether a text may be another's login and the name of a branch, such as `ada-main`, which GitHub
+/// adds to the names of archives.
+fn may_have_branch(text: &str, person: &Person, people: &[Person]) -> bool {
+    let mut others = people.iter().filter(|it| it.id != person.id);
+    others.any(|other| all_logins(other).any(|own| places(text, own).next() == Some(0)))
 }
 
 /// What stands before each login that ends a text and that a person has chosen.

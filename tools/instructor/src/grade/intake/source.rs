@@ -27,24 +27,24 @@ const REPOSITORY: [&str; 6] = ["assignments", "book", "golden", "handout", "src"
 
 impl Source<'_> {
     /// Divides the files of a class among its people. Also returns the names of files that
-    /// belong to nobody. `is_alone` says whether all other paths are classes too. If not, this may be
-    /// one person's upload, with names of other people inside.
-    pub fn of_class(self, is_alone: bool) -> (Vec<HandIn>, Vec<String>) {
+    /// belong to nobody. Beside other paths, this may be one person's upload, with names of other
+    /// people inside, above all if not all of them are classes (`are_classes`).
+    pub fn of_class(self, are_classes: bool) -> (Vec<HandIn>, Vec<String>) {
         let (mut all, ignored) = hand_in::of_class(tops(self.found));
         for hand_in in &mut all {
             let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
-            if !is_alone {
-                hand_in.at_most = match self.is_archive {
-                    true => Proof::Hint,
-                    false => Proof::Name,
-                };
+            hand_in.at_most = match (self.is_archive, self.is_only) {
+                (true, _) if !are_classes => Proof::Hint,
+                (true, true) if is_plain => Proof::Name,
+                (_, false) => Proof::Name,
+                _ => hand_in.at_most,
+            };
+            if !are_classes {
                 hand_in.doubts.push(format!(
                     "`{}` contains names of people, but was passed together with single \
                      submissions; if it is a class, pass it alone",
                     self.name
                 ));
-            } else if self.is_archive && is_plain {
-                hand_in.at_most = Proof::Name;
             }
         }
         (all, ignored)

@@ -38,6 +38,16 @@ fn a_folder_with_names_of_others_beside_single_submissions_is_listed() {
 }
 
 #[test]
+fn one_of_several_classes_may_be_a_students_so_all_are_listed() {
+    let export = Export::new();
+    export.put_all("late/2001", answers("", "mallory"));
+    export.put_all("class/2003", answers("", "bob"));
+    let list = "id,name\n2001,Ada Lovelace\n2002,Mal Mann\n2003,Bob Boole\n";
+    let (_, placed) = placed(&export, &["late", "class"], list);
+    assert_eq!(placed.by_name, ["2001", "2003"]);
+}
+
+#[test]
 fn a_folder_named_after_a_person_is_not_a_class() {
     let person = |id: &str, name: &str| Person {
         id: id.into(),
