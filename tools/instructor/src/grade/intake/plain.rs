@@ -221,7 +221,7 @@ impl<'a> Convention<'a> {
         let is_login = assigned(person).chain(chosen(person)).any(is);
         let title = name.strip_suffix(text);
         let has_title = title.is_some_and(|title| self.on_github.iter().any(|it| it == title));
-        if is_on_github && has_title && !may_have_branch(text, person, people) {
+        if is_on_github && has_title && !contains_anothers(text, person, people) {
             return Proof::Id;
         }
         match is_name && !is_login && !text.contains(char::is_whitespace) {
@@ -329,11 +329,11 @@ fn is_beside_remark(text: &str, person: &Person) -> bool {
     text.ends_with([')', ']']) && chosen(person).any(|own| places(text, own).next() == Some(0))
 }
 
-/// Whether a text may be another's login and the name of a branch, such as `ada-main`, which GitHub
-/// adds to the names of archives.
-fn may_have_branch(text: &str, person: &Person, people: &[Person]) -> bool {
+/// Whether another's login is among the words of a person's, such as `ada-main`. GitHub adds branches
+/// to the names of archives, and a longer title may end in a word before the login.
+fn contains_anothers(text: &str, person: &Person, people: &[Person]) -> bool {
     let mut others = people.iter().filter(|it| it.id != person.id);
-    others.any(|other| all_logins(other).any(|own| places(text, own).next() == Some(0)))
+    others.any(|other| all_logins(other).any(|own| places(text, own).next().is_some()))
 }
 
 /// What stands before each login that ends a text and that a person has chosen.
