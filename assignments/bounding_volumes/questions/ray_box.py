@@ -57,6 +57,22 @@ def target(rng, shape, hit=0.6):
     return within(rng, shape) if rng.uniform() < hit else beside(rng, shape)
 
 
+def anywhere(rng, shape, point, **more):
+    """A ray through a point in one of the other groups' ways: two in five start inside, lie behind
+    the origin or before min_t, or end at max_t."""
+    match rng.integers(10):
+        case 0:
+            return aim(rng, shape, point, min_t=1, **more)
+        case 1:
+            return aim(rng, shape, point, away=-rng.uniform(2, 6), min_t=0, **more)
+        case 2:
+            return aim(rng, shape, point, min_t=rng.uniform(1.5, 3), **more)
+        case 3:
+            ends = (rng.uniform(0.2, 0.7), rng.uniform(1.5, 3))
+            return aim(rng, shape, point, min_t=0, max_t=rng.choice(ends), **more)
+    return aim(rng, shape, point, **more)
+
+
 def outside(rng):
     """From outside; two rays in five miss, more or less."""
     shape = box(rng)
@@ -105,7 +121,7 @@ def max_t(rng):
 def zero_direction(rng):
     """Rays parallel to one or two coordinate planes, inside or outside the box's slab."""
     shape = box(rng)
-    return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3))
+    return anywhere(rng, shape, target(rng, shape), zeros=rng.integers(1, 3))
 
 
 def in_face(rng):
@@ -114,7 +130,8 @@ def in_face(rng):
     if rng.uniform() < 0.3:
         axis = rng.integers(3)
         shape[1, axis] = shape[0, axis]
-    return aim(rng, shape, target(rng, shape), zeros=rng.integers(1, 3), in_face=True)
+    zeros = rng.integers(1, 3)
+    return anywhere(rng, shape, target(rng, shape), zeros=zeros, in_face=True)
 
 
 def flat(rng):
@@ -124,20 +141,21 @@ def flat(rng):
     shape[1, axis] = shape[0, axis]
     point = target(rng, shape)
     point[axis] = shape[0, axis]
-    return aim(rng, shape, point)
+    return anywhere(rng, shape, point)
 
 
 def direction_length(rng):
     """Directions whose length is anything from a billionth to a thousand."""
     shape = box(rng)
-    return aim(rng, shape, target(rng, shape), length=log_uniform(rng, 1e-9, 1e3))
+    return anywhere(rng, shape, target(rng, shape), length=log_uniform(rng, 1e-9, 1e3))
 
 
 def scale(rng):
-    """Tiny and huge boxes."""
+    """Tiny and huge boxes; one ray in five is parallel to one or two coordinate planes."""
     size = log_uniform(rng, 1e-4, 1e4)
     shape = size * box(rng, 1)
-    return aim(rng, shape, target(rng, shape))
+    zeros = rng.integers(1, 3) if rng.uniform() < 0.2 else 0
+    return anywhere(rng, shape, target(rng, shape), zeros=zeros)
 
 
 GROUPS = {

@@ -10,7 +10,7 @@ import numpy as np
 
 from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import Question, ask
-from questions.lengths import ordinary_or_long
+from questions.lengths import ordinary_or_long, usually_below
 from shapes.plane import Plane
 
 
@@ -62,7 +62,7 @@ def min_t(rng):
 
 def direction_length(rng):
     """|d| from 1e-3 to 1e6, because t counts in units of |d|."""
-    return place(rng, length=log_uniform(rng, 1e-3, 1e6))
+    return place(rng, length=log_uniform(rng, 1e-3, 1e6), min_t=usually_below(rng))
 
 
 def stored_normal(rng):
@@ -72,12 +72,13 @@ def stored_normal(rng):
     anywhere near parallel to the plane.
     """
     length = log_uniform(rng, 1e-3, 1) if rng.uniform() < 0.5 else None
-    return place(rng, stored=log_uniform(rng, 1e-4, 1e2), length=length)
+    return place(rng, stored=log_uniform(rng, 1e-4, 1e2), length=length, min_t=usually_below(rng))
 
 
 def offset(rng):
     """Ray and plane 10 to 100 from the origin of space along every axis."""
-    return place(rng, point=rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3))
+    point = rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3)
+    return place(rng, point=point, min_t=usually_below(rng))
 
 
 @dataclass(frozen=True)

@@ -87,14 +87,14 @@ def scale(rng):
     """Tiny and huge spheres near the origin of space; half the directions are as
     long as the sphere is wide, half have the length of ordinary scenes.
 
-    For half of the tiny ones, min_t lies between the roots or behind both, so that
-    min_t is tested with small discriminants too.
+    For half of them, min_t lies between the roots or behind both, so that min_t is
+    tested with small and large discriminants too.
     """
     tiny = rng.uniform() < 0.6
     radius = log_uniform(rng, 1e-6, 1e-2) if tiny else log_uniform(rng, 1e2, 1e4)
     unit = rng.choice((1.0, radius))
     between, above = rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
-    late = rng.uniform() < 0.5 and tiny
+    late = rng.uniform() < 0.5
     above_both = rng.uniform() < 0.4
 
     def least(near, far):
@@ -111,8 +111,13 @@ def scale(rng):
 
 
 def offset(rng):
-    """Ray and sphere 10 to 100 from the origin of space along every axis."""
-    return place(rng, center=rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3))
+    """Ray and sphere 10 to 100 from the origin of space along every axis. In one question of
+    four, min_t lies behind both roots."""
+    center = rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3)
+    if rng.uniform() < 0.75:
+        return place(rng, center=center)
+    above, impact = rng.uniform(1.1, 2), 0.95 * np.sqrt(rng.uniform())
+    return place(rng, center=center, impact=impact, min_t=lambda _, far: above * far)
 
 
 def grazing(rng):

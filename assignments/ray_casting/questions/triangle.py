@@ -10,7 +10,7 @@ import numpy as np
 from camera import normalize
 from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import ask
-from questions.lengths import ordinary_or_long
+from questions.lengths import ordinary_or_long, usually_ahead, usually_below
 from shapes.triangle import Triangles
 
 
@@ -124,21 +124,26 @@ def min_t(rng):
 
 
 def direction_length(rng):
-    """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
-    return place(rng, length=log_uniform(rng, 1e-3, 1e3))
+    """|d| from 1e-3 to 1e3, because t counts in units of |d|. A few triangles lie behind the
+    origin or before min_t."""
+    length = log_uniform(rng, 1e-3, 1e3)
+    return place(rng, ahead=usually_ahead(rng), length=length, min_t=usually_below(rng))
 
 
 def scale(rng):
     """Tiny and huge triangles near the origin of space; half the directions are as
-    long as the triangle is wide, half have the length of ordinary scenes."""
+    long as the triangle is wide, half have the length of ordinary scenes. A few triangles lie
+    behind the origin or before min_t."""
     size = log_uniform(rng, 1e-6, 1e-2) if rng.uniform() < 0.6 else log_uniform(rng, 1e2, 1e4)
     unit = rng.choice((1.0, size))
     return place(
         rng,
+        ahead=usually_ahead(rng),
         size=size,
         center=size * rng.uniform(-3, 3, 3),
         away=log_uniform(rng, 1, 50),
         length=unit * rng.uniform(0.3, 3),
+        min_t=usually_below(rng),
     )
 
 

@@ -2,8 +2,9 @@
 
 Width and height are a pixel's size, of ten binary digits, times the resolution,
 so they are float32 values of exactly square pixels, and Mitsuba's own sensor
-can answer. The half width stays below 1.5 focal lengths, because the sensor
-keeps its field of view as a float32 angle.
+can answer; only in `non_square` and half of `orthographic` are pixels not square.
+The half width stays below 1.5 focal lengths, because the sensor keeps its field of
+view as a float32 angle.
 """
 
 from functools import partial
@@ -28,7 +29,8 @@ def _camera(rng, group):
         focal_length = log_uniform(rng, 0.05, 20)
     width = focal_length * rng.uniform(0.4, 3)
     pixel = _ten_digits(width / resolution[0])
-    tall = _ten_digits(pixel * rng.uniform(0.3, 3)) if group == "non_square" else pixel
+    is_square = group != "non_square" and (group != "orthographic" or rng.uniform() < 0.5)
+    tall = pixel if is_square else _ten_digits(pixel * rng.uniform(0.3, 3))
     if group == "perspective":  # upright, level, looking anywhere near -z
         view, up = np.array([rng.uniform(-0.3, 0.3), 0, -1]), np.array([0, 1, 0])
     else:
