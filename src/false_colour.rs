@@ -79,14 +79,14 @@ pub fn depth_range(film: &Film, depth_per_t: f64) -> Range<f64> {
         .zip(film.channel("t").unwrap_or_default());
     let mut depths: Vec<f64> = samples
         .filter(|(id, t)| **id != MISS && t.is_finite())
-        .map(|(_, t)| f64::from(*t) * depth_per_t)
+        .map(|(_, t)| (f64::from(*t) * depth_per_t).min(f64::MAX))
         .collect();
     depths.sort_by(f64::total_cmp);
     match depths.as_slice() {
         [] => 0.0..1.0,
         all => {
             let (near, far) = (all[0], all[(all.len() - 1) * 95 / 100]);
-            near..far.max(1.001 * near)
+            near..far.max(1.001 * near).min(f64::MAX)
         }
     }
 }

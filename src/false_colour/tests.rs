@@ -88,6 +88,12 @@ fn a_horizon_does_not_stretch_the_range() {
 }
 
 #[test]
+fn range_of_huge_depths_is_finite() {
+    let range = depth_range(&at(&[1.0, 3e38, 3e38]), 1e300);
+    assert_eq!(range, 1e300..f64::MAX);
+}
+
+#[test]
 fn rounding_of_a_wall_that_faces_the_camera_is_not_seen() {
     let film = at(&[2.0, 2.000_000_2, 2.000_000_1]);
     let picture = depth(&film, 1.0, depth_range(&film, 1.0));

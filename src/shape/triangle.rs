@@ -16,16 +16,25 @@ pub struct Triangle {
     pub corners: [DVec3; 3],
 }
 
-/// A triangle counts as flat if the sine of the angle at its first corner is below this. The limit
-/// is not 0, because rounding of decimals such as 0.3 moves corners off their line by about 1e-16
-/// of their size.
+/// Corners count as lying on one line if the sine of each angle is below this. The limit is not 0,
+/// because rounding of decimals such as 0.3 moves corners off their line by about 1e-16 of their
+/// size.
 const ON_ONE_LINE: f64 = 1e-14;
 
-/// The unit vector from one corner to another; 0 if they coincide. Halved and divided by its
-/// largest component first, because the square of a long edge overflows.
+/// The unit vector from one corner to another; 0 if they coincide. The square of a long edge
+/// overflows, and so may the edge itself.
 fn direction(from: DVec3, to: DVec3) -> DVec3 {
-    let half = 0.5 * to - 0.5 * from;
-    (half / half.abs().max_element()).normalize_or_zero()
+    let edge = match to - from {
+        edge if edge.is_finite() => edge,
+        _ => 0.5 * to - 0.5 * from,
+    };
+    (edge / edge.abs().max_element()).normalize_or_zero()
+}
+
+fn lie_on_one_line([a, b, c]: [DVec3; 3]) -> bool {
+    let sine = |at, one, other| direction(at, one).cross(direction(at, other)).length();
+    let sines = [sine(a, b, c), sine(b, c, a), sine(c, a, b)];
+    sines.iter().all(|sine| *sine < ON_ONE_LINE)
 }
 
 impl Notation for Triangle {
@@ -37,8 +46,7 @@ impl Notation for Triangle {
         if !(a.is_finite() && b.is_finite() && c.is_finite()) {
             return Err(table.source.not_finite("corners", corners.span()));
         }
-        let (t_1, t_2) = (direction(a, b), direction(a, c));
-        if t_1.cross(t_2).length() < ON_ONE_LINE {
+        if lie_on_one_line([a, b, c]) {
             return Err(table.source.error(
                 corners.span(),
                 "these corners lie on one line, so the triangle has no area and no normal",
@@ -114,6 +122,23 @@ impl Notation for Triangle {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn corners_lie_on_one_line_in_whatever_order() {
+        let [zero, x, y] = [DVec3::ZERO, DVec3::X, DVec3::Y];
+        for (corners, expected) in [
+            ([zero, 0.1 * (x + y), 0.3 * (x + y)], true),
+            ([zero, zero, x], true),
+            ([1e15 * x, y, -y], false),
+            ([-1.7e308 * x, 1.7e308 * x, 1.7e308 * y], false),
+            ([zero, 5e-324 * x, 5e-324 * y], false),
+        ] {
+            let [a, b, c] = corners;
+            for corners in [[a, b, c], [b, c, a], [c, b, a]] {
+                assert_eq!(lie_on_one_line(corners), expected, "{corners:?}");
+            }
+        }
+    }
 
     #[test]
     fn an_edge_is_named_before_the_whole_triangle() {

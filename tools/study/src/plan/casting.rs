@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::{FINEST, PRICES, price_of_all};
 use crate::cast::model::Exact;
 use crate::cast::refined::refined;
-use crate::cast::world::{Part, Primitive, View, World, vector};
+use crate::cast::world::{PROVEN_T, Part, Primitive, View, World, vector};
 use crate::cast::{Caster, Found, Tally};
 use crate::kernel::Camera;
 use crate::oracle::scene::{TrueHit, sight};
@@ -98,7 +98,8 @@ impl PlannedCaster {
         let (t, normal) = match found?.is_accurate && has_digits(t) {
             true => (t, self.normal(part, ray, t)),
             false => {
-                let (t, normal, is_exact) = refined(&part.shape, ray, min_t, t, self.accuracy);
+                let accuracy = self.accuracy.min(PROVEN_T);
+                let (t, normal, is_exact) = refined(&part.shape, ray, min_t, t, accuracy);
                 tally.exact_hits += u64::from(is_exact);
                 (t, normal)
             }
