@@ -23,8 +23,8 @@ use crate::cast::world::{Accurate, PROVEN_T, Part, Primitive};
 use casting::PlannedCaster;
 
 /// An accuracy that costs exact casting nothing in ordinary scenes: normals are off by at most a
-/// radian, and t is as accurate as the search leaves it.
-pub const EXACT_OBJECTS: f64 = 1.0;
+/// tenth of a radian, and t is as accurate as the search leaves it.
+pub const EXACT_OBJECTS: f64 = 0.1;
 
 /// The accuracy of t and normals in an exact film: far beyond the digits of the film's own `f32`.
 pub const EXACT_FILM: f64 = 1e-12;

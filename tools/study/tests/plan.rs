@@ -138,6 +138,7 @@ fn plan_says_that_the_caster_watches_hits() {
     let worst = spheres(1e-4).worst_normal.expect("a bound");
     let watched = [0.9, 1.1, 10.0].map(|times| spheres(times * worst).watched);
     assert_eq!(watched, [true, true, false]);
+    assert!(!spheres(1.0).watched, "the bounds are for small errors");
 }
 
 /// From a distant eye, all boxes are the same in a frame of `f32` numbers around the eye.

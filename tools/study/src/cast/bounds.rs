@@ -35,9 +35,14 @@ pub fn are_in_range(sizes: impl IntoIterator<Item = f64>) -> bool {
     sizes.into_iter().all(|size| IN_RANGE.contains(&size))
 }
 
-/// The largest relative error of t with which every hit has the requested accuracy; 0 if no error
-/// is small enough. `distance` is the largest distance of an origin from the shape's anchor.
+/// The bounds below are for small errors.
+const COARSEST: f64 = 0.1;
+
+/// The largest relative error of t with which every hit has the requested accuracy, or
+/// [`COARSEST`]; 0 if no error is small enough. `distance` is the largest distance of an origin from
+/// the shape's anchor.
 pub fn required_t(shape: &Primitive, distance: f64, accuracy: f64) -> f64 {
+    let accuracy = accuracy.min(COARSEST);
     let of_t = match shape {
         // See `of_sphere`, where t's error counts 1.1 times.
         Primitive::Sphere(sphere) => accuracy / (1.3 * (1.0 + distance / sphere.radius)),
