@@ -219,8 +219,9 @@ fn wrong_and_outdated_entries_in_the_list_of_mutants_are_named() {
 
 /// A belief about the plane as one edit of the reference.
 fn edit(mistake: &str, was: &str, becomes: &str) -> String {
+    let task = mistake.split('_').next().expect("it begins with the task");
     format!(
-        "[[belief]]\ntask = \"plane\"\nmistake = {mistake:?}\nedits = [[{was:?}, {becomes:?}]]\n"
+        "[[belief]]\ntask = {task:?}\nmistake = {mistake:?}\nedits = [[{was:?}, {becomes:?}]]\n"
     )
 }
 
@@ -246,20 +247,25 @@ fn two_beliefs_in_one_answer_are_both_named_and_their_edits_must_fit() {
     ran.expect_out("✗ false name: ");
 
     // Names of beliefs that give the same answers are right, if the file lists them.
-    let absolute = edit(
-        "plane_absolute_t",
-        "/ along_normal;",
-        "/ along_normal; let t = t.abs();",
+    let least = edit(
+        "triangle_min_t_as_distance",
+        "(t >= min_t)",
+        "(t * ray.direction.length() >= min_t)",
+    );
+    let distance = edit(
+        "triangle_t_is_distance",
+        "t,\n            normal",
+        "t: t * ray.direction.length(),\n normal",
     );
     let same_as = |other: &str| {
-        let pair = format!("beliefs = [\"plane_absolute_t\", \"{other}\"]");
-        format!("[[pair]]\n{pair}\nsame_as = [\"plane_absolute_t\", \"plane_tests_zero\"]\n")
+        let pair = format!("beliefs = [\"triangle_min_t_as_distance\", \"{other}\"]");
+        format!("[[pair]]\n{pair}\nsame_as = [\"triangle_direction_normalised\"]\n")
     };
-    let both = [absolute.as_str(), &misnamed].concat();
+    let both = least + &distance;
     for (text, code) in [
         (both.clone(), 1),
-        (both.clone() + &same_as("plane_one_sided"), 0),
-        (both + &same_as("plane_through_origin"), 2),
+        (both.clone() + &same_as("triangle_t_is_distance"), 0),
+        (both + &same_as("triangle_one_sided"), 2),
     ] {
         write(&course, "pairs.toml", &text);
         validate(&course, &["--only", "pairs"]).expect_code(code);
