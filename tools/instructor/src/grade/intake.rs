@@ -3,9 +3,11 @@
 //! Reading order: [`reader`] reads folders and archives; [`source`] decides which of them contain a
 //! class; [`hand_in`] collects each person's files, by the [`names`] that platforms give;
 //! [`answers`] finds each person's answers, by [`task_names`]; [`roster`] reads the list of a
-//! course's people, which is a [`table`]; [`matching`] compares names with people; and
-//! [`placement`] finds each submission's person on the roster.
+//! course's people, which is a [`table`]; [`index`] finds people in a text, by rules of [`matching`];
+//! [`account`] finds a platform's people, and [`plain`] those of other names; and [`placement`]
+//! decides whose each submission is.
 
+pub mod account;
 pub mod answers;
 pub mod hand_in;
 pub mod index;

@@ -15,7 +15,7 @@ use jiff::{Timestamp, tz::TimeZone};
 use serde::{Deserialize, Serialize};
 
 use self::rules::Rules;
-use super::intake::matching::is_like_id;
+use super::intake::index::{Index, Kind};
 use super::intake::roster::Person;
 use super::intake::table::Table;
 use pinhole_course::assignment::Assignment;
@@ -134,10 +134,10 @@ impl Policy {
     /// The groups whose name is the id or login of somebody else, or like one. A submission with such
     /// a name may count as that person's.
     pub fn misnamed_groups(&self, people: &[Person]) -> Vec<String> {
+        let index = Index::of(people);
         let is_misnamed = |group: &&Group| {
-            let is_other = |person: &&Person| !group.members.contains(&person.id);
-            let others: Vec<Person> = people.iter().filter(is_other).cloned().collect();
-            is_like_id(&group.name, &others)
+            let mut all = index.whole(&group.name);
+            all.any(|(it, kind)| kind == Kind::Assigned && !group.members.contains(&it.id))
         };
         let misnamed = self.groups.iter().filter(is_misnamed);
         misnamed.map(|group| group.name.clone()).collect()

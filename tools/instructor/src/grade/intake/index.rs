@@ -1,84 +1,159 @@
-//! Finds who may be meant by a name, without comparing it with everyone on a long roster.
+//! Finds the people whose id, login, name or group stands in a text.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
+use std::ops::Range;
 
-use super::matching::{spellings, without_accents, words};
+use unicode_normalization::char::is_combining_mark;
+
+use super::matching::{ascii, folded, has_assigned_id, turned, unaccented};
 use super::roster::Person;
 
-/// People by the words that stand for them.
+/// What a text is of a person.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Kind {
+    /// An id or a login that the university assigned.
+    Assigned,
+    /// A login on GitHub, the beginning of an e-mail address, or a group's name. People may have
+    /// chosen it.
+    Chosen,
+    /// A display name of several words.
+    Name,
+    /// A name of one word, or one that has lost letters. It counts only if it stands alone.
+    LoneName,
+}
+
+/// A part of a text that stands for a person.
+#[derive(Clone, Debug)]
+pub struct Match<'a> {
+    pub person: &'a Person,
+    pub kind: Kind,
+    /// Its place in the text, from the first letter or digit to the last.
+    pub at: Range<usize>,
+}
+
+impl Kind {
+    pub fn is_name(self) -> bool {
+        matches!(self, Kind::Name | Kind::LoneName)
+    }
+}
+
+impl Match<'_> {
+    /// Whether no letter or digit of a part of a text is outside of this match.
+    pub fn covers(&self, part: &Range<usize>, text: &str) -> bool {
+        let before = &text[part.start..self.at.start.clamp(part.start, part.end)];
+        let after = &text[self.at.end.clamp(part.start, part.end)..part.end];
+        !before
+            .chars()
+            .chain(after.chars())
+            .any(char::is_alphanumeric)
+    }
+}
+
+/// People by what stands for them, without punctuation.
 #[derive(Default)]
 pub struct Index<'a> {
-    people: &'a [Person],
-    by_word: HashMap<String, Vec<usize>>,
+    pub people: &'a [Person],
+    by_text: HashMap<String, Vec<(usize, Kind)>>,
 }
 
 impl<'a> Index<'a> {
-    /// Files everyone under each of their ids and logins, their name and their group: under the word
-    /// of it that the fewest people have, and under all its words together.
     pub fn of(people: &'a [Person]) -> Index<'a> {
-        let mut frequency: HashMap<String, usize> = HashMap::new();
-        let all = people.iter().flat_map(texts);
-        for word in all.flat_map(|text| both_words(&text)).flatten() {
-            *frequency.entry(word).or_default() += 1;
-        }
-        let mut by_word: HashMap<String, Vec<usize>> = HashMap::new();
+        let mut index = Index {
+            people,
+            by_text: HashMap::new(),
+        };
         for (at, person) in people.iter().enumerate() {
-            let of = |text: String| {
-                let rarest = |words: Vec<String>| words.into_iter().min_by_key(|it| frequency[it]);
-                let together = words(&text).concat();
-                let rarest = both_words(&text).into_iter().filter_map(rarest);
-                rarest.chain([together]).collect::<Vec<_>>()
-            };
-            let all = texts(person).flat_map(of).chain(spellings(&person.name));
-            for word in all.collect::<BTreeSet<_>>() {
-                by_word.entry(word).or_default().push(at);
+            for own in assigned(person) {
+                index.add(at, Kind::Assigned, own);
+            }
+            for own in chosen(person) {
+                index.add(at, Kind::Chosen, own);
+            }
+            let is_long = person.name.split_whitespace().count() > 1;
+            let kind = if is_long { Kind::Name } else { Kind::LoneName };
+            for own in turned(&person.name, folded) {
+                index.add(at, kind, &own);
+            }
+            for own in turned(&person.name, ascii) {
+                index.add(at, Kind::LoneName, &own);
             }
         }
-        Index { people, by_word }
+        index
     }
 
-    /// The people who share such a word with a text, in the order of the roster. Among other words,
-    /// a name whose words are divided in another way is overlooked, such as `adalove-lace`.
-    pub fn near(&self, text: &str) -> Vec<&'a Person> {
-        let words = [words_of(text), words_of(&without_accents(text))].concat();
-        let found = words.iter().filter_map(|word| self.by_word.get(word));
-        let found: BTreeSet<usize> = found.flatten().copied().collect();
-        found.into_iter().map(|at| &self.people[at]).collect()
+    fn add(&mut self, at: usize, kind: Kind, text: &str) {
+        for text in [folded(text), unaccented(text)] {
+            if !text.is_empty() {
+                self.by_text.entry(text).or_default().push((at, kind));
+            }
+        }
+    }
+
+    /// Everyone who stands in a text as one or several whole words.
+    pub fn find(&self, text: &str) -> Vec<Match<'a>> {
+        let words = words(text);
+        let mut found = Vec::new();
+        for first in 0..words.len() {
+            let [mut own, mut plain] = [String::new(), String::new()];
+            for last in first..words.len() {
+                own += &folded(&text[words[last].clone()]);
+                plain += &unaccented(&text[words[last].clone()]);
+                let is_alone = first == 0 && last + 1 == words.len();
+                let all = self.with(&own, &plain);
+                let all = all.filter(|(_, kind)| is_alone || *kind != Kind::LoneName);
+                found.extend(all.map(|(person, kind)| Match {
+                    person,
+                    kind,
+                    at: words[first].start..words[last].end,
+                }));
+            }
+        }
+        found
+    }
+
+    /// Everyone whom a whole text stands for.
+    pub fn whole<'s>(
+        &'s self,
+        text: &str,
+    ) -> impl Iterator<Item = (&'a Person, Kind)> + use<'s, 'a> {
+        self.with(&folded(text), &unaccented(text))
+    }
+
+    /// Everyone with this text. A text has lost its accents only if nobody has them.
+    fn with<'s>(
+        &'s self,
+        own: &str,
+        unaccented: &str,
+    ) -> impl Iterator<Item = (&'a Person, Kind)> + use<'s, 'a> {
+        let all = self.by_text.get(own).or(self.by_text.get(unaccented));
+        let all = all.into_iter().flatten();
+        all.map(|(at, kind)| (&self.people[*at], *kind))
     }
 }
 
-/// What stands for a person, with and without accents.
-fn texts(person: &Person) -> impl Iterator<Item = String> {
-    let locals = person.logins.iter().filter_map(|it| it.split_once('@'));
-    let locals = locals.map(|(local, _)| local);
-    let own = person
-        .logins
-        .iter()
-        .chain(&person.github)
-        .chain(&person.group);
-    let own = own.chain([&person.id, &person.name]).map(String::as_str);
-    own.chain(locals)
-        .flat_map(|text| [text.to_owned(), without_accents(text)])
+/// The id and the logins of a person, as the university assigned them.
+fn assigned(person: &Person) -> impl Iterator<Item = &str> {
+    let id = has_assigned_id(person).then_some(&person.id);
+    id.into_iter().chain(&person.logins).map(String::as_str)
 }
 
-/// The words of a text, if punctuation ends a word, and if it does not.
-fn both_words(text: &str) -> [Vec<String>; 2] {
-    let spaced = text.split_whitespace().map(|word| words(word).concat());
-    [
-        words(text),
-        spaced.filter(|word| !word.is_empty()).collect(),
-    ]
+/// What a person may have chosen: a login on GitHub, the beginnings of addresses, and the name of a
+/// group.
+fn chosen(person: &Person) -> impl Iterator<Item = &str> {
+    let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
+    let locals = addresses.map(|(local, _)| local);
+    let others = person.github.iter().chain(&person.group);
+    locals.chain(others.map(String::as_str))
 }
 
-/// The words of a text, and all of them together but for some at its beginning or at its end, which
-/// may be a title.
-fn words_of(text: &str) -> Vec<String> {
-    // In an archive, a name may have thousands of words. No title is so long.
-    const MOST: usize = 32;
-    let words = words(text);
-    let few = 0..words.len().min(MOST);
-    let ends = few.clone().map(|at| words[at..].concat());
-    let begins = few.map(|at| words[..words.len() - at].concat());
-    let together: Vec<String> = ends.chain(begins).collect();
-    words.into_iter().chain(together).collect()
+/// The places of the words of a text. In an archive, a name may have thousands; the first are
+/// enough, because the names of folders are shorter.
+pub fn words(text: &str) -> Vec<Range<usize>> {
+    const MOST: usize = 64;
+    let is_letter = |c: char| c.is_alphanumeric() || is_combining_mark(c);
+    let words = text.split(|c| !is_letter(c));
+    let at = |word: &str| word.as_ptr() as usize - text.as_ptr() as usize;
+    let places = words.map(|word| at(word)..at(word) + word.len());
+    let places = places.filter(|it| text[it.clone()].contains(char::is_alphanumeric));
+    places.take(MOST).collect()
 }

@@ -8,9 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::matching::{Proof, account, titled};
+use super::account::{with_account, with_login};
+use super::matching::Proof;
 use super::names::Sign;
-use super::plain::{Convention, Titles};
+use super::plain::{Convention, title};
 use super::roster::Person;
 
 /// Which submission belongs to which person, and which could not be placed.
@@ -51,42 +52,49 @@ impl Placement {
     }
 }
 
-/// The people that a sign may mean, and how much it proves if it means only one.
-fn meant<'a>(
-    sign: &Sign,
-    people: &'a [Person],
-    convention: &Convention<'a>,
-) -> (Proof, Vec<&'a Person>) {
-    match sign {
-        Sign::Login(text) => {
-            let is_assigned = |(title, person): (&str, &Person)| {
-                let mut all = [&person.id].into_iter().chain(&person.logins);
-                all.any(|own| own.eq_ignore_ascii_case(&text[title.len()..]))
-            };
-            let proof = match titled(sign, people).into_iter().all(is_assigned) {
-                true => Proof::Id,
-                false => Proof::Name,
-            };
-            let owners = titled(sign, people).into_iter();
-            (proof, owners.map(|(_, person)| person).collect())
+/// What the names of a class have in common, and its roster.
+struct Names<'a> {
+    convention: Convention<'a>,
+    /// What most of Blackboard's names begin with.
+    title: String,
+}
+
+impl<'a> Names<'a> {
+    fn of(entries: &[Entry], people: &'a [Person]) -> Names<'a> {
+        // An archive's author may have chosen its name.
+        let trusted = entries.iter().filter(|entry| entry.at_most == Proof::Id);
+        let [mut plain, mut logins] = [Vec::new(), Vec::new()];
+        for entry in trusted {
+            match &entry.signs[..] {
+                [Sign::Plain(name)] => plain.push(name.as_str()),
+                [Sign::Login(text)] => logins.push(text.as_str()),
+                _ => {}
+            }
         }
-        Sign::Account {
-            number,
-            name,
-            may_be_group,
-        } => account(number, name, *may_be_group, people),
-        Sign::Plain(name) => convention.meant(name),
+        Names {
+            convention: Convention::of(&plain, people),
+            title: title(&logins),
+        }
+    }
+
+    /// The people that a sign may mean, and how much it proves if it means only one.
+    fn meant(&self, sign: &Sign) -> (Proof, Vec<&'a Person>) {
+        let index = &self.convention.index;
+        match sign {
+            Sign::Login(text) => with_login(text, &self.title, index.people),
+            Sign::Account {
+                number,
+                name,
+                may_be_group,
+            } => with_account(number, name, *may_be_group, index),
+            Sign::Plain(name) => self.convention.meant(name),
+        }
     }
 }
 
 /// The people that an entry may belong to, each once, and how well that is proved.
-fn owners<'a>(
-    entry: &Entry,
-    people: &'a [Person],
-    convention: &Convention<'a>,
-) -> (Proof, Vec<&'a Person>) {
-    let all = entry.signs.iter();
-    let all: Vec<_> = all.map(|sign| meant(sign, people, convention)).collect();
+fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
+    let all: Vec<_> = entry.signs.iter().map(|sign| names.meant(sign)).collect();
     let mut found: Vec<&Person> = Vec::new();
     for person in all.iter().flat_map(|(_, found)| found) {
         if !found.contains(person) {
@@ -115,46 +123,19 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let titled_by = |entry: &Entry| -> BTreeSet<(String, String)> {
-        let all = entry.signs.iter().flat_map(|sign| titled(sign, people));
-        let owned = |(title, person): (&str, &Person)| (title.to_owned(), person.id.clone());
-        all.map(owned).collect()
-    };
-    // An archive's author may have chosen a title that makes all others doubtful.
-    let trusted = || entries.iter().filter(|entry| entry.at_most == Proof::Id);
-    let mut titles = Titles::default();
-    for entry in trusted() {
-        let ways = titled_by(entry);
-        titles.add(&ways.iter().map(|(title, id)| (&**title, &**id)).collect());
-    }
-    let plain = trusted().filter_map(|entry| match &entry.signs[..] {
-        [Sign::Plain(name)] => Some(name.as_str()),
-        _ => None,
-    });
-    let convention = Convention::of(&plain.collect::<Vec<_>>(), people);
-    // If no other name begins like this, nothing shows where the title ends and the login begins.
-    let is_lone = |title: &String| {
-        let names = entries.iter().filter(|entry| entry.name.starts_with(title));
-        names.take(2).count() < 2
-    };
+    let names = Names::of(entries, people);
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
     let is_export = 2 * entries.iter().filter(is_given).count() > entries.len();
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
-        let (mut proof, found) = owners(entry, people, &convention);
+        let (mut proof, found) = owners(entry, &names);
         if !is_export && is_given(&entry) {
             proof = proof.min(Proof::Name);
         }
-        let title = titled_by(entry).into_iter().next().map(|(title, _)| title);
-        if title.as_ref().is_some_and(is_lone) {
-            proof = proof.min(Proof::Name);
-        }
-        let is_part = |long: &str, short: &str| long.starts_with(short);
-        let is_doubtful = title.is_some_and(|title| titles.is_doubtful(&title, is_part));
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
-            [person] if proof > Proof::Hint && !is_doubtful => {
+            [person] if proof > Proof::Hint => {
                 of.entry(&person.id)
                     .or_default()
                     .push((proof, entry, person));

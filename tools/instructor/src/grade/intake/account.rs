@@ -1,0 +1,88 @@
+//! Whose submission it is, by what a platform wrote into its name.
+
+use super::index::{Index, words};
+use super::matching::{Proof, folded, unaccented};
+use super::roster::Person;
+
+/// The people that an account may belong to. The platform's number decides, because people may
+/// change their names, unless the number may be a group's. If the number stands beside a name that
+/// isn't the person's, the instructor should check it, because the author of an archive may have
+/// chosen both.
+pub fn with_account<'a>(
+    number: &str,
+    name: &str,
+    may_be_group: bool,
+    index: &Index<'a>,
+) -> (Proof, Vec<&'a Person>) {
+    let group = folded(name);
+    let is_in_group = |it: &Person| {
+        let own = it.group.as_deref().map(folded);
+        own.is_some_and(|own| !own.is_empty() && own == group)
+    };
+    let mut people = index.people.iter();
+    if let Some(person) = people.find(|it| it.number.as_deref() == Some(number)) {
+        let mut named = index.whole(name).filter(|(_, kind)| kind.is_name());
+        let is_named = named.any(|(it, _)| it == person);
+        let proof = match (is_named || share_word(name, &person.name), may_be_group) {
+            (true, false) => Proof::Id,
+            (true, true) if is_named => Proof::Id,
+            (false, true) => Proof::Hint,
+            _ => Proof::Name,
+        };
+        // A group's name may have a word in common with the person whose number it has.
+        let mut others = index.people.iter();
+        let of_group = others.find(|it| may_be_group && !is_named && is_in_group(it));
+        return (proof, [person].into_iter().chain(of_group).collect());
+    }
+    let by_name = index.whole(name).map(|(person, _)| person);
+    // On Moodle, the number is the group's.
+    let is_free = |it: &Person| it.number.is_none() || may_be_group && is_in_group(it);
+    let by_name: Vec<&Person> = by_name.filter(|it| is_free(it)).collect();
+    // A number in a name may equal somebody else's id by chance.
+    let by_id = index.people.iter();
+    let by_id: Vec<&Person> = by_id
+        .filter(|it| it.number.is_none() && it.id == number)
+        .collect();
+    let agrees = |it: &&Person| by_id.is_empty() || by_id.contains(it);
+    match by_name.iter().copied().filter(agrees).collect::<Vec<_>>() {
+        both if both.is_empty() => (Proof::Hint, [by_name, by_id].concat()),
+        both => (Proof::Name, both),
+    }
+}
+
+/// Whether two names have a word in common.
+fn share_word(name: &str, other: &str) -> bool {
+    let folded = |text: &str| -> Vec<String> {
+        let words = words(text).into_iter();
+        words.map(|at| unaccented(&text[at])).collect()
+    };
+    let others = folded(other);
+    folded(name).iter().any(|word| others.contains(word))
+}
+
+/// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
+/// login may contain `_`, so it proves something only after the `title` of most submissions.
+pub fn with_login<'a>(text: &str, title: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+    let title = title.rfind('_').map_or(0, |at| at + 1);
+    let starts = text.match_indices('_').map(|(at, _)| at + 1);
+    let starts = starts.filter(|at| title == 0 || *at <= title);
+    let mut found: Vec<&Person> = Vec::new();
+    let mut proof = Proof::Id;
+    for at in starts {
+        let is = |own: &str| own.eq_ignore_ascii_case(&text[at..]);
+        for person in people {
+            let is_assigned = is(&person.id) || person.logins.iter().any(|it| is(it));
+            let mut locals = person.logins.iter().filter_map(|it| it.split('@').next());
+            if !is_assigned && !locals.any(is) {
+                continue;
+            }
+            if at != title || !is_assigned {
+                proof = Proof::Name;
+            }
+            if !found.contains(&person) {
+                found.push(person);
+            }
+        }
+    }
+    (proof, found)
+}
