@@ -27,6 +27,15 @@ def unit_vector(rng):
     return normalize(rng.normal(size=3))
 
 
+def sometimes_level(rng, vector):
+    """A unit vector or, one time in eight, the same without one or two of its components (the
+    smallest), so that it is exactly parallel to a coordinate plane or axis."""
+    if rng.uniform() >= 1 / 8:
+        return vector
+    smallest = np.argsort(np.abs(vector))[: rng.integers(1, 3)]
+    return normalize(np.where(np.isin(np.arange(3), smallest), 0, vector))
+
+
 def perpendicular(rng, axis):
     """A unit vector at a right angle to the unit vector `axis`."""
     vector = rng.normal(size=3)

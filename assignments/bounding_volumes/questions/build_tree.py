@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from chance import log_uniform, unit_vector
 from kinds.tree import SLOTS, ask
 
 
@@ -17,8 +18,9 @@ def few(rng):
 
 
 def spread(rng):
-    """Many triangles, spread evenly."""
-    return ask(around(rng, rng.uniform(-3, 3, (rng.integers(16, SLOTS + 1), 3)), 1))
+    """Many triangles, spread evenly; half of the questions are far from the origin."""
+    away = log_uniform(rng, 10, 1e3) * unit_vector(rng) * (rng.uniform() < 0.5)
+    return ask(around(rng, away + rng.uniform(-3, 3, (rng.integers(16, SLOTS + 1), 3)), 1))
 
 
 def long(rng):

@@ -99,8 +99,9 @@ def behind(rng):
 
 
 def max_t(rng):
-    """max_t before the box, inside it, or behind it. Of the rays, some start inside, some are
-    parallel to one or two coordinate planes, and some are short; some boxes are flat."""
+    """max_t before the box, inside it, or behind it. Of the rays, some start inside, some end
+    inside, too, some are parallel to one or two coordinate planes, and some are short; some boxes
+    are flat."""
     shape = box(rng)
     point = within(rng, shape)
     share = rng.choice([rng.uniform(0.2, 0.7), 1, rng.uniform(1.5, 3)])
@@ -115,6 +116,9 @@ def max_t(rng):
             axis = rng.integers(3)
             shape[1, axis] = point[axis] = shape[0, axis]
             share = rng.choice([rng.uniform(0.2, 0.7), rng.uniform(1.5, 3)])
+        case 4:
+            reach = np.minimum(point - shape[0], shape[1] - point).min()
+            return ask(shape, point, unit_vector(rng), 0, rng.uniform(0.2, 0.9) * reach)
     return aim(rng, shape, point, max_t=share)
 
 

@@ -1,14 +1,15 @@
 """Questions about one plane.
 
 A ray is aimed at a target on the plane from a distance; a negative distance puts
-the plane behind the ray, which is a miss.
+the plane behind the ray, which is a miss. One ray in eight is parallel to a coordinate
+plane or axis.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
+from chance import log_uniform, perpendicular, sign, sometimes_level, tilted_from, unit_vector
 from kinds.intersect import Question, ask
 from questions.lengths import ordinary_or_long, usually_below
 from shapes.plane import Plane
@@ -29,9 +30,12 @@ def place(
     stored = rng.uniform(0.5, 2) if stored is None else stored
     length = rng.uniform(0.3, 3) if length is None else length
     share = rng.uniform(0, 0.5) if min_t is None else min_t
-    normal = unit_vector(rng) if normal is None else normal
+    if normal is None:
+        away = sometimes_level(rng, unit_vector(rng))
+        normal = side * tilted_from(rng, away, 0.1, 1)
+    else:
+        away = side * tilted_from(rng, normal, 0.1, 1)
     target = point + rng.uniform(0, 5) * perpendicular(rng, normal)
-    away = side * tilted_from(rng, normal, 0.1, 1)
     distance = rng.uniform(1, 8)
     direction = -away * length if ahead else away * length
     least = share * distance / length
@@ -101,7 +105,8 @@ def flattened(rng):
     (`f64::EPSILON`) times |n| |d|. So we accept a caster that takes a smaller n . d for 0.
     """
     axis = np.eye(3)[rng.integers(3)]
-    before = place(rng, point=rng.uniform(-3, 3, 3) * (1 - axis), normal=axis)
+    point = rng.uniform(-3, 3, 3) * (1 - axis)
+    before = place(rng, point=point, normal=axis, min_t=usually_below(rng))
     flat = np.where(axis, 2.0 ** -int(rng.integers(14, 44)), 1.0)
     origin, direction = flat * before.origin, flat * before.direction
     return Flattened(before.shape, origin, direction, before.min_t, before)
@@ -140,8 +145,10 @@ def parallel(rng):
     length = log_uniform(rng, 1e-17, 1) if rng.uniform() < 0.5 else length
     towards = -side if rng.uniform() < 0.75 else side
     direction = length * (np.cos(angle) * along + towards * np.sin(angle) * normal)
-    origin = point + rng.uniform(0, 5) * along + side * rng.uniform(0.5, 3) * normal
-    return ask(Plane(point, stored * normal), origin, direction, rng.uniform(0, 0.5))
+    height = rng.uniform(0.5, 3)
+    origin = point + rng.uniform(0, 5) * along + side * height * normal
+    least = usually_below(rng) * height / (length * np.sin(angle))
+    return ask(Plane(point, stored * normal), origin, direction, least)
 
 
 GROUPS = {

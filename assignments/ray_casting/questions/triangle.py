@@ -2,23 +2,26 @@
 
 A ray is aimed at a point of the triangle's plane given by its barycentric
 coordinates: all positive is inside; one or two negative are the six regions
-around it.
+around it. One triangle in eight is parallel to a coordinate plane, and about one ray
+in eight to a coordinate plane or axis.
 """
 
 import numpy as np
 
 from camera import normalize
-from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
+from chance import (
+    log_uniform, perpendicular, sign, sometimes_level, tilted_from, unit_vector,
+)
 from kinds.intersect import ask
 from questions.lengths import ordinary_or_long, usually_ahead, usually_below
 from shapes.triangle import Triangles
 
 
-def corners(rng, size, aspect):
+def corners(rng, size, aspect, normal=None):
     """Three corners around the origin: a side of about `size`, and an altitude on it
-    of `size / aspect`, in any order and direction."""
-    along = unit_vector(rng)
-    up = perpendicular(rng, along)
+    of `size / aspect`, in any order and direction, but at right angles to `normal`."""
+    along = unit_vector(rng) if normal is None else perpendicular(rng, normal)
+    up = perpendicular(rng, along) if normal is None else np.cross(normal, along)
     foot = rng.uniform(0.1, 0.9)
     triangle = size * np.array([0 * along, along, foot * along + up / aspect])
     return rng.permutation(triangle - triangle.mean(axis=0))
@@ -58,9 +61,13 @@ def place(
     away = rng.uniform(1, 6) if away is None else away
     length = rng.uniform(0.3, 3) if length is None else length
     share = rng.uniform(0, 0.5) if min_t is None else min_t
-    triangle = center + corners(rng, size, aspect)
+    axis = np.eye(3)[rng.integers(3)] if rng.uniform() < 1 / 8 else None
+    triangle = center + corners(rng, size, aspect, axis)
     a, b, c = triangle
-    back_along = side * tilted_from(rng, normalize(np.cross(b - a, c - a)), *cosines)
+    normal = normalize(np.cross(b - a, c - a))
+    tilted = tilted_from(rng, normal, *cosines)
+    level = sometimes_level(rng, tilted)
+    back_along = side * (level if level @ normal >= cosines[0] else tilted)
     distance = away * size
     direction = -back_along * length if ahead else back_along * length
     return ask(

@@ -1,5 +1,6 @@
 //! Renders a report as HTML.
 
+use std::io::Write;
 use std::path::Path;
 
 use base64::Engine;
@@ -8,6 +9,7 @@ use hmac_sha256::Hash;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context, value::Serde};
 use pinhole::false_colour::{self, Difference};
 use pinhole::film::HIT_CHANNELS;
+use pinhole_course::private::private_file;
 use serde_json::{Value, json};
 
 use super::Report;
@@ -145,7 +147,7 @@ fn legend() -> Vec<(&'static str, &'static str)> {
 }
 
 /// Writes the page in one step, because a browser may reload it at any time and two checks may
-/// finish at once.
+/// finish at once. Other users can't read it, because it may show goldens that students don't have.
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
@@ -156,7 +158,7 @@ pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     }
     let mut beside = path.as_os_str().to_owned();
     beside.push(format!(".{}", std::process::id()));
-    std::fs::write(&beside, page)?;
+    private_file(Path::new(&beside))?.write_all(page.as_bytes())?;
     std::fs::rename(&beside, path).inspect_err(|_| {
         let _already_failing = std::fs::remove_file(&beside);
     })

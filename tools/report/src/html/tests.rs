@@ -247,3 +247,19 @@ fn no_share_is_told_of_beliefs_that_explain_something_together() {
     );
     assert!(!told.contains('%'), "{told}");
 }
+
+#[cfg(unix)]
+#[test]
+fn other_users_cannot_read_a_report() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().expect("there is room");
+    let path = folder.path().join("report.html");
+    std::fs::write(&path, "an earlier report").expect("there is room");
+    page::write(&path, "a golden").expect("there is room");
+    assert_eq!(
+        std::fs::read_to_string(&path).expect("it is there"),
+        "a golden"
+    );
+    let mode = path.metadata().expect("it is there").permissions().mode();
+    assert_eq!(mode & 0o777, 0o600);
+}
