@@ -352,20 +352,3 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     roll.place();
     Ok(roll)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::grade::class::marks::tests::roll;
-
-    #[test]
-    fn a_number_alone_does_not_name_a_group() {
-        for (name, known) in [("team 7", 1), ("7", 0)] {
-            let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[(name, &["ada", "bob"])]);
-            let mut people = roll.people.take().expect("there are people");
-            class::know_groups(&roll.policy.expect("there is a policy"), &mut people);
-            let groups = people.iter().filter_map(|person| person.group.as_deref());
-            assert_eq!(groups.filter(|group| *group == name).count(), known);
-        }
-    }
-}

@@ -113,12 +113,10 @@ impl Roll {
     }
 }
 
-/// Lets a submission with the name of a group count as handed in by one of its members. Groups
-/// whose name is only a number are left out, because browsers add numbers to the names of files.
+/// Lets a submission with the name of a group count as handed in by one of its members.
 pub fn know_groups(policy: &Policy, people: &mut [Person]) {
     people.iter_mut().for_each(|person| person.group = None);
-    let is_number = |name: &str| name.chars().all(|c| c.is_ascii_digit());
-    for group in policy.groups.iter().filter(|it| !is_number(&it.name)) {
+    for group in &policy.groups {
         let mut all = people.iter_mut();
         if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
             person.group = Some(group.name.clone());

@@ -18,7 +18,8 @@ pub enum Kind {
     Chosen,
     /// A display name of several words.
     Name,
-    /// A name of one word, or one that has lost letters. It counts only if it stands alone.
+    /// A name of one word, one that has lost letters, or a group's number. It counts only if it stands
+    /// alone or, in a class, beside the title.
     LoneName,
 }
 
@@ -54,6 +55,8 @@ impl Match<'_> {
 pub struct Index<'a> {
     pub people: &'a [Person],
     by_text: HashMap<String, Vec<(usize, Kind)>>,
+    /// The length of the longest of these texts, in bytes.
+    longest: usize,
 }
 
 impl<'a> Index<'a> {
@@ -61,13 +64,24 @@ impl<'a> Index<'a> {
         let mut index = Index {
             people,
             by_text: HashMap::new(),
+            longest: 0,
         };
         for (at, person) in people.iter().enumerate() {
             for own in assigned(person) {
                 index.add(at, Kind::Assigned, own);
             }
             for own in chosen(person) {
-                index.add(at, Kind::Chosen, own);
+                // Browsers add numbers to the names of files.
+                let is_number = own.bytes().all(|it| it.is_ascii_digit());
+                let is_group = person.group.as_deref() == Some(own);
+                let kind = match is_number && is_group {
+                    true => Kind::LoneName,
+                    false => Kind::Chosen,
+                };
+                // GitHub drops the letters of a team's name that aren't ASCII.
+                for own in [own, &ascii(own)] {
+                    index.add(at, kind, own);
+                }
             }
             let is_long = person.name.split_whitespace().count() > 1;
             let kind = if is_long { Kind::Name } else { Kind::LoneName };
@@ -83,6 +97,8 @@ impl<'a> Index<'a> {
 
     fn add(&mut self, at: usize, kind: Kind, text: &str) {
         for text in [folded(text), unaccented(text)] {
+            // Somebody may have chosen a name that is longer than any folder's.
+            self.longest = self.longest.max(text.len().min(255));
             if !text.is_empty() {
                 self.by_text.entry(text).or_default().push((at, kind));
             }
@@ -93,14 +109,17 @@ impl<'a> Index<'a> {
     pub fn find(&self, text: &str) -> Vec<Match<'a>> {
         let words = words(text);
         let mut found = Vec::new();
+        let both = |at: &Range<usize>| (folded(&text[at.clone()]), unaccented(&text[at.clone()]));
+        let both: Vec<_> = words.iter().map(both).collect();
         for first in 0..words.len() {
             let [mut own, mut plain] = [String::new(), String::new()];
             for last in first..words.len() {
-                own += &folded(&text[words[last].clone()]);
-                plain += &unaccented(&text[words[last].clone()]);
-                let is_alone = first == 0 && last + 1 == words.len();
+                own += &both[last].0;
+                plain += &both[last].1;
+                if plain.len() > self.longest && own.len() > self.longest {
+                    break;
+                }
                 let all = self.with(&own, &plain);
-                let all = all.filter(|(_, kind)| is_alone || *kind != Kind::LoneName);
                 found.extend(all.map(|(person, kind)| Match {
                     person,
                     kind,

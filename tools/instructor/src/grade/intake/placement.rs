@@ -26,7 +26,7 @@ pub struct Placement {
     /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
     /// Submissions whose person is known only by a name or a login, which people may have chosen
-    /// themselves.
+    /// themselves, or by an id that somebody else has chosen for a name or a login.
     #[serde(default)]
     pub by_name: Vec<String>,
     /// Submissions that may belong to several people, or that contradict themselves, and these
@@ -61,10 +61,8 @@ struct Names<'a> {
 
 impl<'a> Names<'a> {
     fn of(entries: &[Entry], people: &'a [Person]) -> Names<'a> {
-        // An archive's author may have chosen its name.
-        let trusted = entries.iter().filter(|entry| entry.at_most == Proof::Id);
         let [mut plain, mut logins] = [Vec::new(), Vec::new()];
-        for entry in trusted {
+        for entry in entries {
             match &entry.signs[..] {
                 [Sign::Plain(name)] => plain.push(name.as_str()),
                 [Sign::Login(text)] => logins.push(text.as_str()),
@@ -74,6 +72,13 @@ impl<'a> Names<'a> {
         Names {
             convention: Convention::of(&plain, people),
             title: title(&logins),
+        }
+    }
+
+    fn is_contested(&self, entry: &Entry, person: &Person) -> bool {
+        match &entry.signs[..] {
+            [Sign::Plain(name)] => self.convention.is_contested(name, person),
+            _ => false,
         }
     }
 
@@ -126,7 +131,8 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
     let names = Names::of(entries, people);
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
-    let is_export = 2 * entries.iter().filter(is_given).count() > entries.len();
+    let given = entries.iter().filter(is_given).count();
+    let is_export = given > 1 && 2 * given > entries.len();
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for entry in entries {
         let (mut proof, found) = owners(entry, &names);
@@ -166,9 +172,11 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         for (_, entry, person) in &all {
             placed.of.insert(entry.id.clone(), (*person).clone());
         }
-        if best == Some(Proof::Name) {
-            placed.by_name.extend(ids.clone());
-        }
+        let is_listed = |(_, entry, person): &&(Proof, &Entry, &Person)| {
+            best == Some(Proof::Name) || names.is_contested(entry, person)
+        };
+        let listed = all.iter().filter(is_listed);
+        placed.by_name.extend(listed.map(|it| it.1.id.clone()));
         if all.len() > 1 {
             placed.several.insert(ids[0].clone(), ids);
         }

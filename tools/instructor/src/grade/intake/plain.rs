@@ -69,20 +69,31 @@ impl<'a> Convention<'a> {
         }
     }
 
+    /// Whether others have chosen a text that is this person's id or login. If the text names a folder,
+    /// they may be meant.
+    pub fn is_contested(&self, name: &str, person: &Person) -> bool {
+        let is_team = |it: &Person| it.group.is_some() && it.group == person.group;
+        let mut all = self.index.whole(name);
+        all.any(|(it, _)| it != person && !is_team(it))
+    }
+
     /// The people that a name may mean, each once, and how much it proves if it means only one.
     pub fn meant(&self, name: &str) -> (Proof, Vec<&'a Person>) {
         let assigned = with_assigned(name, self.index.people);
         if !assigned.is_empty() {
             return (Proof::Id, assigned);
         }
-        let rest = match name.starts_with(&self.title) {
-            true => self.title.len()..name.len(),
-            false => 0..name.len(),
-        };
-        // What lies within the title is nobody's.
+        let start = name
+            .strip_prefix(&*self.title)
+            .map_or(0, |_| self.title.len());
+        let own = name[start..].strip_suffix(&*self.ending);
+        let rest = start..own.map_or(name.len(), |it| start + it.len());
+        // What lies within the title or the ending is nobody's.
         let all = self.index.find(name).into_iter();
+        let all = all.filter(|it| it.kind != Kind::LoneName || it.covers(&rest, name));
         let all: Vec<_> = all.filter(|it| it.at.end > rest.start).collect();
-        let meant = without_accidents(all.clone(), name, &rest);
+        let own = all.iter().filter(|it| it.at.start < rest.end).cloned();
+        let meant = without_accidents(own.collect(), name, &rest);
         let mut once: Vec<&Person> = Vec::new();
         for found in &meant {
             if !once.contains(&found.person) {
@@ -97,12 +108,19 @@ impl<'a> Convention<'a> {
         (proof, once)
     }
 
-    /// Whether a name is certainly the title and a person's login on GitHub. If it contains somebody
-    /// else's login, too, such as `ada-main`, GitHub may have added a branch to that one.
+    /// Whether a name is certainly the title and a person's login on GitHub. A login such as
+    /// `ada-main` may be somebody else's and a branch or a number, which GitHub adds.
     fn is_certain(&self, name: &str, person: &Person, all: &[Match]) -> bool {
         let mut others = all.iter().filter(|it| it.person != person);
+        let is_known = |it: &Person| it.github.is_some();
+        let is_added = |end: &str| {
+            ["main", "master"].contains(&end) || end.bytes().all(|it| it.is_ascii_digit())
+        };
+        let end = name.rsplit_once('-').map_or("", |(_, end)| end);
         self.is_on_github
             && is_login(name, &self.title, person)
+            && (!name[self.title.len()..].contains('-')
+                || !is_added(end) && self.index.people.iter().all(is_known))
             && others.all(|it| it.kind.is_name())
     }
 
@@ -114,10 +132,9 @@ impl<'a> Convention<'a> {
             Kind::Assigned => true,
             // If the title is known, nothing else stands before the login.
             Kind::Chosen if rest.start > 0 => it.covers(rest, name),
-            Kind::Chosen => it.covers(&(it.at.start..name.len()), name),
+            Kind::Chosen => it.covers(&(it.at.start.min(rest.end)..rest.end), name),
             Kind::Name | Kind::LoneName => {
-                let before = name[rest.clone()].strip_suffix(&*self.ending);
-                let own = rest.start..before.map_or(rest.end, |it| rest.start + it.len());
+                let own = rest.start..rest.start + without_remark(&name[rest.clone()]).len();
                 let has_spaces = name[own.clone()].contains(char::is_whitespace);
                 it.covers(&(0..name.len()), name) || it.covers(&own, name) && has_spaces
             }
@@ -125,16 +142,26 @@ impl<'a> Convention<'a> {
     }
 }
 
+/// A text without a remark in brackets at its end, such as `(late)`.
+fn without_remark(text: &str) -> &str {
+    let opening = if text.ends_with(']') { " [" } else { " (" };
+    let before = text.split_once(opening).map(|(before, _)| before);
+    before
+        .filter(|_| text.ends_with([')', ']']))
+        .unwrap_or(text)
+}
+
 /// Leaves out what stands in a name by accident. A person's name may contain a login, and a remark
 /// may contain a number.
 fn without_accidents<'a>(all: Vec<Match<'a>>, name: &str, rest: &Range<usize>) -> Vec<Match<'a>> {
-    let has = |person: &Person, is: fn(&Match) -> bool| {
-        all.iter().any(|it| it.person == person && is(it))
-    };
-    let by_both = all.iter().map(|it| it.person).filter(|person| {
-        has(person, |it| it.kind == Kind::Assigned) && has(person, |it| it.kind.is_name())
+    let ids = all.iter().filter(|it| it.kind == Kind::Assigned);
+    let by_both = ids.filter(|id| {
+        let mut names = all
+            .iter()
+            .filter(|it| it.kind.is_name() && it.person == id.person);
+        names.any(|it| it.at.end <= id.at.start || id.at.end <= it.at.start)
     });
-    let by_both: BTreeSet<&str> = by_both.map(|it| &*it.id).collect();
+    let by_both: BTreeSet<&str> = by_both.map(|it| &*it.person.id).collect();
     let is_written = all
         .iter()
         .any(|it| it.kind.is_name() && is_written_as(name, &it.person.name));
@@ -143,7 +170,7 @@ fn without_accidents<'a>(all: Vec<Match<'a>>, name: &str, rest: &Range<usize>) -
     let is_only_whole = is_written || has_title && all.iter().any(is_whole);
     let is_meant = |it: &Match| match by_both.len() {
         1 => by_both.contains(&*it.person.id),
-        _ => !is_only_whole || is_whole(it) || it.kind.is_name(),
+        _ => !is_only_whole || is_whole(it) || it.kind.is_name() || it.at.start < rest.start,
     };
     all.into_iter().filter(is_meant).collect()
 }
@@ -158,8 +185,12 @@ fn is_login(name: &str, title: &str, person: &Person) -> bool {
 /// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.
 pub fn is_somebody(name: &str, index: &Index, or_chosen: bool) -> bool {
     let mut all = index.find(name).into_iter();
-    all.any(|it| or_chosen || it.kind != Kind::Chosen)
-        || !with_assigned(name, index.people).is_empty()
+    let is = |it: Match| match it.kind {
+        Kind::Assigned | Kind::Name => true,
+        Kind::Chosen => or_chosen,
+        Kind::LoneName => it.covers(&(0..name.len()), name),
+    };
+    all.any(is) || !with_assigned(name, index.people).is_empty()
 }
 
 /// Whether a text is a person's name as the roster writes it, with the last name first or last, and

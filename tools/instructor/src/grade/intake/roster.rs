@@ -67,17 +67,15 @@ const FIRST: [&str; 4] = ["firstname", "givenname", "forename", "vorname"];
 const LAST: [&str; 5] = ["lastname", "surname", "familyname", "lastnames", "nachname"];
 const SECTION: [&str; 5] = ["section", "group", "groups", "gruppe", "gruppen"];
 const NUMBER: [&str; 4] = ["number", "canvasid", "moodleid", "identifier"];
-const LOGIN: [&str; 9] = [
+const LOGIN: [&str; 6] = [
     "sisloginid",
     "loginid",
     "login",
     "username",
     "anmeldename",
     "benutzername",
-    "email",
-    "emailaddress",
-    "emailadresse",
 ];
+const EMAIL: [&str; 3] = ["email", "emailaddress", "emailadresse"];
 const GITHUB: [&str; 3] = ["github", "githubusername", "githublogin"];
 
 /// The people of a course, in the file's order.
@@ -110,6 +108,7 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
     let logins = LOGIN.iter().filter_map(|name| of(&[name]));
     let logins: Vec<usize> = logins.filter(|at| Some(*at) != github).collect();
+    let emails: Vec<usize> = EMAIL.iter().filter_map(|name| of(&[name])).collect();
 
     let mut people: Vec<Person> = Vec::new();
     for (line, row) in &table.rows {
@@ -151,19 +150,27 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             name,
             section: cell(section).into(),
             number: Some(number).filter(|it| !it.is_empty()).map(str::to_owned),
-            github: Some(cell(github).to_owned()).filter(|it| !it.is_empty()),
+            github: Some(github_login(cell(github)).to_owned()).filter(|it| !it.is_empty()),
             group: None,
-            logins: logins
-                .iter()
-                .map(|at| cell(Some(*at)).to_owned())
-                .filter(|login| !login.is_empty())
-                .collect(),
+            logins: {
+                let logins = logins.iter().map(|at| cell(Some(*at)));
+                // Without an `@`, it may be a login that somebody has chosen.
+                let emails = emails.iter().map(|at| cell(Some(*at)));
+                let all = logins.chain(emails.filter(|it| it.contains('@')));
+                all.filter(|it| !it.is_empty()).map(str::to_owned).collect()
+            },
         });
     }
     match people.is_empty() {
         true => Err("it lists nobody".into()),
         false => Ok(people),
     }
+}
+
+/// A login on GitHub that may be written as `@login` or as an address.
+fn github_login(text: &str) -> &str {
+    let login = text.trim_end_matches('/').rsplit('/').next();
+    login.unwrap_or(text).trim_start_matches('@')
 }
 
 #[cfg(test)]
@@ -202,6 +209,17 @@ mod tests {
         is_of_zoe_and_ada(&utf16(PLAIN, b"\xff\xfe"));
         is_of_zoe_and_ada(&utf16(PLAIN, b""));
         is_of_zoe_and_ada(&latin);
+    }
+
+    #[test]
+    fn a_login_is_no_address_and_an_address_on_github_is_a_login() {
+        let list = "id,name,email,github\n1,Ada,ada@x.org,@countess\n\
+            2,Bob,ada,https://github.com/bob/\n";
+        let people = people(list.as_bytes()).expect("it is a roster");
+        assert_eq!(people[0].logins, ["ada@x.org"]);
+        assert_eq!(people[1].logins, [""; 0], "Bob may have chosen it");
+        let github = people.iter().filter_map(|it| it.github.as_deref());
+        assert_eq!(github.collect::<Vec<_>>(), ["countess", "bob"]);
     }
 
     #[test]

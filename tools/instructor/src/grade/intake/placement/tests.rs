@@ -378,6 +378,8 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
     let placed = place(&entries(&["s1", "al123"]), Some(&people));
     assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+    // The third one's group is called `S-1`.
+    assert_eq!(placed.by_name, ["s1"], "{placed:?}");
 }
 
 #[test]
@@ -394,9 +396,51 @@ fn a_login_on_github_that_is_anothers_login_means_neither() {
     let placed = place(&entries(&["al123", "al-123"]), Some(&people));
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
     assert_eq!(placed.ambiguous["al-123"], people[..2]);
-    // The instructor decides by an id, which nobody can contest.
-    people[1].github = Some("s1".into());
-    let placed = place(&entries(&["s1", "al123"]), Some(&people));
-    assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
-    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+    // The instructor decides by an id, which nobody can contest. But if somebody has chosen it, it is
+    // listed, because that name may be meant.
+    for chosen in ["github", "address", "name"] {
+        people[1].github = (chosen == "github").then(|| "s1".into());
+        people[1].logins = vec!["gh".into()];
+        match chosen {
+            "address" => people[1].logins.push("s1@uni.edu".into()),
+            "name" => people[1].name = "S1".into(),
+            _ => {}
+        }
+        let placed = place(&entries(&["s1", "al123"]), Some(&people));
+        assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
+        assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+        assert_eq!(placed.by_name, ["s1"], "{chosen}: {placed:?}");
+    }
+}
+
+#[test]
+fn a_single_name_like_a_platforms_is_listed_even_if_there_is_no_other() {
+    let mut people = people();
+    people[0].number = Some("11".into());
+    let mailed = "lovelaceada_11_999_late.zip";
+    let placed = place(&entries(&[mailed]), Some(&people));
+    assert_eq!(placed.by_name, [mailed], "{placed:?}");
+}
+
+#[test]
+fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
+    let mut people = people();
+    for (person, login) in people.iter_mut().zip(["al", "x_bob", "zm"]) {
+        person.logins = vec![login.into()];
+    }
+    let of = |login: &str| format!("HW_1_{login}_attempt_2026-11-20-23-00-00");
+    let [ada, bob, zoe] = ["al", "x_bob", "zm"].map(of);
+    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people));
+    assert_eq!(placed.of.len(), 3);
+    assert!(placed.by_name.is_empty(), "{placed:?}");
+    // The beginning of an address may have been chosen.
+    people[2].logins = vec!["zm@x.org".into()];
+    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people));
+    assert_eq!(placed.by_name, [zoe], "{placed:?}");
+    // A login may end in another person's.
+    people[3].logins = vec!["bob".into()];
+    let placed = place(&entries(&[&bob]), Some(&people));
+    assert_eq!(placed.ambiguous[&bob].len(), 2, "{placed:?}");
+    let placed = place(&entries(&[&ada, &bob]), Some(&people));
+    assert_eq!(placed.of[&bob].id, "s2", "{placed:?}");
 }

@@ -162,11 +162,69 @@ fn an_id_and_a_name_that_agree_outweigh_other_logins_and_numbers() {
     for (name, expected) in [
         ("Ana Alan Park (1002)", "2"),
         ("hw1_1002_Ana_Alan_Park", "2"),
-        ("Ana Turing 3", "1"),
+        // Her login is a part of her name, so it proves nothing.
+        ("Ana Turing 3", "[13]"),
         ("Eve Evans 1001", "[13]"),
         ("3 Eve Evans", "3"),
     ] {
         assert_eq!(whose(&[name], &people), expected, "{name}");
+    }
+}
+
+#[test]
+fn a_name_in_the_class_may_be_a_login_of_somebody_else() {
+    let github = |it: &mut Person, what: &str| it.github = Some(what.into());
+    let mut people = with_mallory(github, "plato");
+    people[0].name = "Plato".into();
+    assert_eq!(whose(&["hw1-plato", "hw1-bob"], &people), "[13]2");
+    // An id may begin with what most names begin with.
+    let mut people = with_mallory(github, "1-late");
+    for (person, id) in people.iter_mut().zip(["26-1", "26-2", "26-4"]) {
+        person.id = id.into();
+    }
+    assert_eq!(whose(&["26-1-late", "26-2", "26-4"], &people), "[13]24");
+}
+
+#[test]
+fn nobody_puts_a_class_in_doubt_because_they_have_chosen_its_ending() {
+    let github = |it: &mut Person, what: &str| it.github = Some(what.into());
+    for (what, names) in [
+        ("main", ["hw1-ada-main", "hw1-bob-main", "hw1-hacker-main"]),
+        (
+            "late",
+            [
+                "Ada Lovelace (late)",
+                "Bob Babbage (late)",
+                "Eve Evans (late)",
+            ],
+        ),
+        ("hw1", ["ab-1-hw1", "cd-2-hw1", "gh-4-hw1"]),
+    ] {
+        let people = with_mallory(github, what);
+        assert_eq!(whose(&names, &people), "124", "{what}");
+    }
+}
+
+#[test]
+fn a_login_with_a_hyphen_is_certain_only_if_every_login_is_known() {
+    let mut people = with_mallory(|it, what| it.github = Some(what.into()), "zoe");
+    for (login, is_known, is_certain) in [
+        ("zoe-lee", true, true),
+        ("zoe-main", true, false),
+        ("zoe-2", true, false),
+        ("zoe-lee", false, false),
+        ("zoe", false, true),
+    ] {
+        people.truncate(4);
+        people[3].github = Some(login.into());
+        if !is_known {
+            people.push(person("ij-5", "Zoe Zuse"));
+        }
+        let own = format!("hw1-{login}");
+        let names = ["hw1-ada", "hw1-bob", "hw1-hacker", &own];
+        let placed = place(&entries(&names), Some(&people));
+        assert_eq!(placed.of[&own].id, "ef-3");
+        assert_eq!(placed.by_name.is_empty(), is_certain, "{placed:?}");
     }
 }
 
@@ -200,7 +258,7 @@ fn a_name_with_accents_may_stand_before_a_title() {
     ];
     let remarks = ["11 (1)", "12 (1)", "Zoë King (1)"];
     assert_eq!(whose(&remarks, &people), "123");
-    assert_eq!(whose(&remarks[2..], &people), "[3]");
+    assert_eq!(whose(&remarks[2..], &people), "3");
 }
 
 #[test]
@@ -230,4 +288,18 @@ fn a_login_on_github_is_certain_only_after_a_title_of_such_logins() {
         assert_eq!(placed.of[&own].id, "13", "{placed:?}");
         assert_eq!(placed.by_name == [own], is_listed);
     }
+}
+
+#[test]
+fn a_repository_of_a_team_is_not_taken_for_one_of_somebody_with_such_a_login() {
+    for (group, login) in [("R\u{f6}ckets", "r-ckets"), ("7", "7")] {
+        let mut people = with_mallory(|it, what| it.github = Some(what.into()), login);
+        people[0].group = Some(group.into());
+        let own = format!("hw1-{login}");
+        let names = ["hw1-bob", "hw1-hacker", &own];
+        assert_eq!(whose(&names, &people), "24[13]", "{group}");
+    }
+    // Browsers add numbers to the names of files.
+    let people = with_mallory(|it, what| it.group = Some(what.into()), "7");
+    assert_eq!(whose(&["ab-1 (7)", "7"], &people), "13");
 }

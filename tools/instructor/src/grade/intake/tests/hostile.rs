@@ -449,9 +449,10 @@ fn a_short_title_chosen_by_an_uploader_moves_nobodys_mark() {
     }
     let list = "id,name,github\n1,Ada Lovelace,countess\n2,Zoe Zuse,zoe\n";
     let found = placed(&export, &["class"], list);
-    assert_eq!(all_of(&found, "1"), [""; 0], "{:#?}", found.1);
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
     assert_eq!(all_of(&found, "2"), ["// sphere by zoe"], "{:#?}", found.1);
-    assert_eq!(found.1.ambiguous.len(), 2, "{:#?}", found.1);
+    assert_eq!(found.1.unknown, ["cs-countess"], "{:#?}", found.1);
+    assert_eq!(found.1.by_name.len(), 2, "{:#?}", found.1);
 }
 
 #[test]
