@@ -1,8 +1,7 @@
 """Questions about one plane.
 
 A ray is aimed at a target on the plane from a distance; a negative distance puts
-the plane behind the ray, which is a miss. One ray in eight is parallel to a coordinate
-plane or axis.
+the plane behind the ray, which is a miss.
 """
 
 from dataclasses import dataclass
@@ -16,13 +15,14 @@ from shapes.plane import Plane
 
 
 def place(
-    rng, *, side=None, ahead=None, point=None, normal=None, stored=None, length=None, min_t=None
+    rng, *, side=None, ahead=None, point=None, normal=None, away=None, stored=None, length=None,
+    min_t=None,
 ):
     """A question; arguments that are not given are drawn.
 
     `side` is 1 for an origin on the side the normal points to, `ahead` whether the
-    plane lies ahead, `normal` its unit normal, `stored` the length of the normal that is
-    given, `min_t` a share of the plane's t.
+    plane lies ahead, `normal` its unit normal, `away` the unit vector from the plane to the
+    origin, `stored` the length of the normal that is given, `min_t` a share of the plane's t.
     """
     side = sign(rng) if side is None else side
     ahead = rng.uniform() < 0.6 if ahead is None else ahead
@@ -30,12 +30,9 @@ def place(
     stored = rng.uniform(0.5, 2) if stored is None else stored
     length = rng.uniform(0.3, 3) if length is None else length
     share = rng.uniform(0, 0.5) if min_t is None else min_t
-    if normal is None:
-        away = sometimes_level(rng, unit_vector(rng))
-        normal = side * tilted_from(rng, away, 0.1, 1)
-    else:
-        away = side * tilted_from(rng, normal, 0.1, 1)
+    normal = unit_vector(rng) if normal is None else normal
     target = point + rng.uniform(0, 5) * perpendicular(rng, normal)
+    away = side * tilted_from(rng, normal, 0.1, 1) if away is None else away
     distance = rng.uniform(1, 8)
     direction = -away * length if ahead else away * length
     least = share * distance / length
@@ -43,8 +40,10 @@ def place(
 
 
 def front(rng):
-    """The normal points to the ray's side."""
-    return place(rng, side=1)
+    """The normal points to the ray's side. One ray in eight is parallel to a coordinate plane or
+    axis."""
+    away = sometimes_level(rng, unit_vector(rng))
+    return place(rng, side=1, normal=tilted_from(rng, away, 0.1, 1), away=away)
 
 
 def back(rng):

@@ -3,7 +3,6 @@
 A ray is placed by two numbers in units of the radius: its impact parameter
 (the distance of its line from the centre) and how far before the nearest point it
 starts. A parameter below 1 is a hit. Drawn evenly over a disc of radius 1.29, 60 % hit.
-One ray in eight is parallel to a coordinate plane or axis.
 """
 
 import numpy as np
@@ -14,17 +13,20 @@ from questions.lengths import ordinary_or_long
 from shapes.sphere import Sphere
 
 
-def place(rng, *, impact=None, before=None, radius=None, center=None, length=None, min_t=None):
+def place(
+    rng, *, along=None, impact=None, before=None, radius=None, center=None, length=None, min_t=None
+):
     """A question; arguments that are not given are drawn.
 
-    `min_t` is a function of the two roots (None where the line misses).
+    `along` is the ray's unit direction, `min_t` a function of the two roots (None where the line
+    misses).
     """
     impact = 1.29 * np.sqrt(rng.uniform()) if impact is None else impact
     before = rng.uniform(1.5, 6) if before is None else before
     radius = rng.uniform(0.3, 2) if radius is None else radius
     center = rng.uniform(-3, 3, 3) if center is None else center
     length = rng.uniform(0.3, 3) if length is None else length
-    along = sometimes_level(rng, unit_vector(rng))
+    along = unit_vector(rng) if along is None else along
     origin = center + radius * (impact * perpendicular(rng, along) - before * along)
     half_chord = np.sqrt(max(0.0, 1 - impact**2))
     near, far = (radius / length * (before + side * half_chord) for side in (-1, 1))
@@ -35,31 +37,10 @@ def place(rng, *, impact=None, before=None, radius=None, center=None, length=Non
     return ask(Sphere(center, radius), origin, length * along, least)
 
 
-def anywhere(rng, *, impact=None, **more):
-    """A question in one of the other groups' ways: two in five are asked from inside, about a
-    sphere behind the origin, or with min_t between the roots or above both."""
-    case = rng.integers(10)
-    if case < 4 and impact is None:
-        impact = 0.95 * np.sqrt(rng.uniform())
-    share, above = rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
-    match case:
-        case 0:
-            before = (2 * share - 1) * np.sqrt(max(0.0, 1 - impact**2))
-            return place(rng, impact=impact, before=before, **more)
-        case 1:
-            return place(rng, impact=impact, before=-rng.uniform(1.5, 6), **more)
-        case 2:
-            return place(
-                rng, impact=impact, min_t=lambda near, far: near + share * (far - near), **more
-            )
-        case 3:
-            return place(rng, impact=impact, min_t=lambda _, far: above * far, **more)
-    return place(rng, impact=impact, **more)
-
-
 def outside(rng):
-    """From outside, the near root counts."""
-    return place(rng)
+    """From outside, the near root counts. One ray in eight is parallel to a coordinate plane or
+    axis."""
+    return place(rng, along=sometimes_level(rng, unit_vector(rng)))
 
 
 def inside(rng):
@@ -103,27 +84,50 @@ def min_t(rng):
 
 def direction_length(rng):
     """|d| from 1e-3 to 1e3, because t counts in units of |d|."""
-    return anywhere(rng, length=log_uniform(rng, 1e-3, 1e3))
+    return place(rng, length=log_uniform(rng, 1e-3, 1e3))
 
 
 def scale(rng):
     """Tiny and huge spheres near the origin of space; half the directions are as
-    long as the sphere is wide, half have the length of ordinary scenes."""
+    long as the sphere is wide, half have the length of ordinary scenes.
+
+    For half of them, min_t lies between the roots or behind both, so that min_t is
+    tested with small and large discriminants too.
+    """
     tiny = rng.uniform() < 0.6
     radius = log_uniform(rng, 1e-6, 1e-2) if tiny else log_uniform(rng, 1e2, 1e4)
-    length = rng.choice((1.0, radius)) * rng.uniform(0.3, 3)
-    return anywhere(rng, radius=radius, center=radius * rng.uniform(-3, 3, 3), length=length)
+    unit = rng.choice((1.0, radius))
+    between, above = rng.uniform(0.1, 0.9), rng.uniform(1.1, 2)
+    late = rng.uniform() < 0.5
+    above_both = rng.uniform() < 0.4
+
+    def least(near, far):
+        return above * far if above_both else near + between * (far - near)
+
+    return place(
+        rng,
+        impact=0.95 * np.sqrt(rng.uniform()) if late else None,
+        radius=radius,
+        center=radius * rng.uniform(-3, 3, 3),
+        length=unit * rng.uniform(0.3, 3),
+        min_t=least if late else None,
+    )
 
 
 def offset(rng):
-    """Ray and sphere 10 to 100 from the origin of space along every axis."""
-    return anywhere(rng, center=rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3))
+    """Ray and sphere 10 to 100 from the origin of space along every axis. In one question of
+    four, min_t lies behind both roots."""
+    center = rng.uniform(10, 100, 3) * rng.choice((-1, 1), 3)
+    if rng.uniform() < 0.75:
+        return place(rng, center=center)
+    above, impact = rng.uniform(1.1, 2), 0.95 * np.sqrt(rng.uniform())
+    return place(rng, center=center, impact=impact, min_t=lambda _, far: above * far)
 
 
 def grazing(rng):
     """Within 1e-4 to 1e-2 radii of the silhouette, 60 % on its inner side."""
     gap = log_uniform(rng, 1e-4, 1e-2)
-    return anywhere(rng, impact=1 - gap if rng.uniform() < 0.6 else 1 + gap)
+    return place(rng, impact=1 - gap if rng.uniform() < 0.6 else 1 + gap)
 
 
 def radius(rng):

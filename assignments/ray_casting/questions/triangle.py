@@ -2,16 +2,13 @@
 
 A ray is aimed at a point of the triangle's plane given by its barycentric
 coordinates: all positive is inside; one or two negative are the six regions
-around it. One triangle in eight is parallel to a coordinate plane, and about one ray
-in eight to a coordinate plane or axis.
+around it.
 """
 
 import numpy as np
 
 from camera import normalize
-from chance import (
-    log_uniform, perpendicular, sign, sometimes_level, tilted_from, unit_vector,
-)
+from chance import log_uniform, perpendicular, sign, tilted_from, unit_vector
 from kinds.intersect import ask
 from questions.lengths import ordinary_or_long, usually_ahead, usually_below
 from shapes.triangle import Triangles
@@ -45,13 +42,14 @@ def around(rng):
 
 def place(
     rng, *, at=None, side=None, ahead=True, size=None, aspect=None,
-    center=None, away=None, length=None, min_t=None, cosines=(0.2, 1),
+    center=None, away=None, length=None, min_t=None, cosines=(0.2, 1), axis=None,
 ):
     """A question; arguments that are not given are drawn.
 
     `at` are barycentric coordinates, `side` is 1 for an origin on the side of the
     normal (b - a) x (c - a), `away` the origin's distance in sizes, `min_t` a share
-    of the plane's t, `cosines` the range of the angle's between ray and normal.
+    of the plane's t, `cosines` the range of the angle's between ray and normal, `axis` a
+    coordinate axis at right angles to the triangle.
     """
     at = (within(rng) if rng.uniform() < 0.6 else around(rng)) if at is None else at
     side = sign(rng) if side is None else side
@@ -61,13 +59,9 @@ def place(
     away = rng.uniform(1, 6) if away is None else away
     length = rng.uniform(0.3, 3) if length is None else length
     share = rng.uniform(0, 0.5) if min_t is None else min_t
-    axis = np.eye(3)[rng.integers(3)] if rng.uniform() < 1 / 8 else None
     triangle = center + corners(rng, size, aspect, axis)
     a, b, c = triangle
-    normal = normalize(np.cross(b - a, c - a))
-    tilted = tilted_from(rng, normal, *cosines)
-    level = sometimes_level(rng, tilted)
-    back_along = side * (level if level @ normal >= cosines[0] else tilted)
+    back_along = side * tilted_from(rng, normalize(np.cross(b - a, c - a)), *cosines)
     distance = away * size
     direction = -back_along * length if ahead else back_along * length
     return ask(
@@ -107,8 +101,10 @@ def back(rng):
 
 
 def outside(rng):
-    """All six outer regions, near and far; two questions in five hit."""
-    return place(rng, at=within(rng) if rng.uniform() < 0.4 else around(rng))
+    """All six outer regions, near and far; two questions in five hit. One triangle in eight is
+    parallel to a coordinate plane."""
+    axis = np.eye(3)[rng.integers(3)] if rng.uniform() < 1 / 8 else None
+    return place(rng, at=within(rng) if rng.uniform() < 0.4 else around(rng), axis=axis)
 
 
 def edges(rng):
