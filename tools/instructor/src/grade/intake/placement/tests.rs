@@ -218,6 +218,11 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     assert_eq!(placed.by_name, [name]);
+    // But it may be somebody else's number.
+    let mut others = people.clone();
+    others[2].number = Some("2026".into());
+    let placed = place(&entries(&[name]), Some(&others));
+    assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     // An account whose name looks like hers replaces nothing.
     for names in [
         [
@@ -364,6 +369,13 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
     people[0].logins = vec!["al123".into()];
     people[1].group = Some("AL-123".into());
     people[2].group = Some("S-1".into());
+    people[3].group = Some("AL123".into());
+    let placed = place(&entries(&["al123"]), Some(&people));
+    assert_eq!(
+        placed.ambiguous["al123"],
+        [people[0].clone(), people[3].clone()]
+    );
+    people[3].group = None;
     for (name, member) in [("AL-123", 1), ("S-1", 2)] {
         let placed = place(&entries(&[name]), Some(&people));
         assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");

@@ -438,6 +438,25 @@ fn an_upload_among_others_does_not_bring_other_peoples_submissions() {
 }
 
 #[test]
+fn an_archive_proves_no_id_by_its_own_name_or_by_those_inside() {
+    let list = "id,name,number\n1001,Ada Lovelace,11\n1002,Bob Boole,12\n";
+    let export = Export::new();
+    // Her name for the file may look like a platform's.
+    export.put("lovelaceada_11_999_late.zip", &zip(&answers("", "mallory")));
+    let both = [answers("1001/", "ada"), answers("1002/", "bob")].concat();
+    export.put("class.zip", &zip(&both));
+    for path in ["lovelaceada_11_999_late.zip", "class.zip"] {
+        let (intake, placement) = placed(&export, &[path], list);
+        assert!(intake.entries.iter().all(|it| it.at_most == Proof::Name));
+        assert_eq!(
+            placement.by_name.len(),
+            intake.entries.len(),
+            "{placement:?}"
+        );
+    }
+}
+
+#[test]
 fn a_short_title_chosen_by_an_uploader_moves_nobodys_mark() {
     let export = Export::new();
     for (name, whose) in [
