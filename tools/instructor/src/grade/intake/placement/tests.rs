@@ -218,7 +218,11 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     assert_eq!(placed.by_name, [name]);
-    // But it may be somebody else's number.
+    // Here, the first part is the name of nobody whom we know.
+    let chosen = "HW_attempt_2026-11-20-23-59-01_11_501_z.zip";
+    let placed = place(&entries(&[chosen]), Some(&people));
+    assert!(placed.ambiguous.contains_key(chosen), "{placed:?}");
+    // The date may also be somebody else's number.
     let mut others = people.clone();
     others[2].number = Some("2026".into());
     let placed = place(&entries(&[name]), Some(&others));
