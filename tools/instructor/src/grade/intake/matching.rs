@@ -80,11 +80,8 @@ pub fn with_assigned<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let found = people.iter().filter(|it| has_id(it) || has_login(it));
     let mut found: Vec<&Person> = found.collect();
     if !found.is_empty() && !found.iter().any(|it| has_id(it)) {
-        // It does not matter which member of a group is meant.
-        let is_others = |it: &Person| found.iter().all(|own| own.group != it.group);
-        let has_chosen = |it: &Person| {
-            it.github.as_ref().is_some_and(is) || it.group.as_ref().is_some_and(is) && is_others(it)
-        };
+        let has_chosen =
+            |it: &Person| it.github.as_ref().is_some_and(is) || it.group.as_ref().is_some_and(is);
         let chosen = people.iter().filter(|it| has_chosen(it));
         let chosen: Vec<&Person> = chosen.filter(|it| !found.contains(it)).collect();
         found.extend(chosen);

@@ -69,12 +69,12 @@ impl<'a> Convention<'a> {
         }
     }
 
-    /// Whether others have chosen a text that is this person's id or login. If the text names a folder,
-    /// they may be meant.
+    /// Whether others have chosen a text that is this person's id or login, or the end of it after
+    /// the title. If the text names a folder, they may be meant.
     pub fn is_contested(&self, name: &str, person: &Person) -> bool {
-        let is_team = |it: &Person| it.group.is_some() && it.group == person.group;
-        let mut all = self.index.whole(name);
-        all.any(|(it, _)| it != person && !is_team(it))
+        let mut others = self.index.people.iter().filter(|it| *it != person);
+        self.index.whole(name).any(|(it, _)| it != person)
+            || others.any(|it| is_login(name, &self.title, it))
     }
 
     /// The people that a name may mean, each once, and how much it proves if it means only one.
@@ -114,7 +114,8 @@ impl<'a> Convention<'a> {
         let mut others = all.iter().filter(|it| it.person != person);
         let is_known = |it: &Person| it.github.is_some();
         let is_added = |end: &str| {
-            ["main", "master"].contains(&end) || end.bytes().all(|it| it.is_ascii_digit())
+            ["main", "master", "feedback"].contains(&end)
+                || end.bytes().all(|it| it.is_ascii_digit())
         };
         let end = name.rsplit_once('-').map_or("", |(_, end)| end);
         self.is_on_github

@@ -67,15 +67,17 @@ const FIRST: [&str; 4] = ["firstname", "givenname", "forename", "vorname"];
 const LAST: [&str; 5] = ["lastname", "surname", "familyname", "lastnames", "nachname"];
 const SECTION: [&str; 5] = ["section", "group", "groups", "gruppe", "gruppen"];
 const NUMBER: [&str; 4] = ["number", "canvasid", "moodleid", "identifier"];
-const LOGIN: [&str; 6] = [
+const LOGIN: [&str; 9] = [
     "sisloginid",
     "loginid",
     "login",
     "username",
     "anmeldename",
     "benutzername",
+    "email",
+    "emailaddress",
+    "emailadresse",
 ];
-const EMAIL: [&str; 3] = ["email", "emailaddress", "emailadresse"];
 const GITHUB: [&str; 3] = ["github", "githubusername", "githublogin"];
 
 /// The people of a course, in the file's order.
@@ -108,7 +110,6 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
     let logins = LOGIN.iter().filter_map(|name| of(&[name]));
     let logins: Vec<usize> = logins.filter(|at| Some(*at) != github).collect();
-    let emails: Vec<usize> = EMAIL.iter().filter_map(|name| of(&[name])).collect();
 
     let mut people: Vec<Person> = Vec::new();
     for (line, row) in &table.rows {
@@ -152,13 +153,11 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             number: Some(number).filter(|it| !it.is_empty()).map(str::to_owned),
             github: Some(github_login(cell(github)).to_owned()).filter(|it| !it.is_empty()),
             group: None,
-            logins: {
-                let logins = logins.iter().map(|at| cell(Some(*at)));
-                // Without an `@`, it may be a login that somebody has chosen.
-                let emails = emails.iter().map(|at| cell(Some(*at)));
-                let all = logins.chain(emails.filter(|it| it.contains('@')));
-                all.filter(|it| !it.is_empty()).map(str::to_owned).collect()
-            },
+            logins: logins
+                .iter()
+                .map(|at| cell(Some(*at)).to_owned())
+                .filter(|login| !login.is_empty())
+                .collect(),
         });
     }
     match people.is_empty() {

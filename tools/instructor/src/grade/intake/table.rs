@@ -7,6 +7,10 @@ use encoding_rs::{UTF_8, WINDOWS_1252};
 use super::reader::utf_16;
 use pinhole_course::error::{Error, Result, ResultExt};
 
+/// Columns of addresses. A cell without an `@` counts as empty, because a student may have filled it
+/// in to look like somebody's id or login.
+const EMAIL: [&str; 3] = ["email", "emailaddress", "emailadresse"];
+
 /// A table, read as a whole.
 pub struct Table {
     /// The first line, as it is in the file.
@@ -51,12 +55,18 @@ impl Table {
             .delimiter(between.unwrap_or(',') as u8)
             .from_reader(body.as_bytes());
         let header = reader.headers().map_err(|error| error.to_string())?;
-        let header = header.iter().map(plain).collect();
+        let header: Vec<String> = header.iter().map(plain).collect();
         let mut rows = Vec::new();
         for row in reader.records() {
             let row = row.map_err(|error| error.to_string())?;
             if !row.iter().all(|cell| cell.trim().is_empty()) {
-                rows.push((row.position().map_or(0, |position| position.line()), row));
+                let line = row.position().map_or(0, |position| position.line());
+                let cells = row.iter().enumerate();
+                let cells = cells.map(|(at, cell)| match header.get(at) {
+                    Some(column) if EMAIL.contains(&&**column) && !cell.contains('@') => "",
+                    _ => cell,
+                });
+                rows.push((line, cells.collect()));
             }
         }
         Ok(Table {

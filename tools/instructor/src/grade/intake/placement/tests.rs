@@ -388,14 +388,17 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
             "{placed:?}"
         );
     }
-    // Nobody contests an id, and it does not matter which member of a group is meant.
-    people[1].group = people[0].logins.first().cloned();
-    people[0].group = people[1].group.clone();
-    let placed = place(&entries(&["s1", "al123"]), Some(&people));
+    // Nobody contests an id, but it is listed.
+    let placed = place(&entries(&["s1"]), Some(&people));
     assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
-    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
-    // The third one's group is called `S-1`.
     assert_eq!(placed.by_name, ["s1"], "{placed:?}");
+    // So is a login that may be a title and somebody else's login.
+    people[0].logins = vec!["cs-al1".into()];
+    people[1].github = Some("al1".into());
+    people[2].github = Some("bob".into());
+    let placed = place(&entries(&["cs-al1", "cs-bob"]), Some(&people));
+    assert_eq!(placed.of["cs-al1"].id, "s1", "{placed:?}");
+    assert_eq!(placed.by_name, ["cs-al1"], "{placed:?}");
 }
 
 #[test]
