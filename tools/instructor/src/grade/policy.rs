@@ -15,6 +15,7 @@ use jiff::{Timestamp, tz::TimeZone};
 use serde::{Deserialize, Serialize};
 
 use self::rules::Rules;
+use self::times::TimeLine;
 use super::intake::index::{Index, Kind};
 use super::intake::roster::Person;
 use super::intake::table::Table;
@@ -29,10 +30,8 @@ pub struct Policy {
     /// The deadline, and the deadlines of people who have their own, by id.
     deadline: Option<Timestamp>,
     extensions: BTreeMap<String, Timestamp>,
-    /// When something was handed in. The key is a person's id, number or login, or a submission's
-    /// name. One person's number or login may be another's id, so each time is stored with the kind
-    /// of its key.
-    pub times: BTreeMap<String, Vec<(TimeKey, Timestamp)>>,
+    /// The table that says when something was handed in.
+    pub times: Vec<TimeLine>,
     /// Late days that were spent on earlier assignments, by id as `grades.csv` writes it: see
     /// [`printable_cell`](pinhole_report::escape::printable_cell).
     spent: BTreeMap<String, u32>,
@@ -175,10 +174,7 @@ fn cell(row: &csv::StringRecord, column: usize) -> &str {
     row.get(column).unwrap_or_default().trim()
 }
 
-fn times_in(
-    path: &Path,
-    zone: Option<&TimeZone>,
-) -> Result<BTreeMap<String, Vec<(TimeKey, Timestamp)>>> {
+fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<Vec<TimeLine>> {
     const TIME: [&str; 6] = [
         "time",
         "submissiontime",
@@ -196,23 +192,23 @@ fn times_in(
             table.needed_column(&WHO.map(|(name, _)| name))?;
         }
         let time = table.needed_column(&TIME)?;
-        let mut times: BTreeMap<String, Vec<(TimeKey, Timestamp)>> = BTreeMap::new();
-        for (line, row) in &table.rows {
-            // This person has handed in nothing.
-            if matches!(cell(row, time), "" | "-") {
-                continue;
-            }
-            let at = times::timestamp(cell(row, time), zone);
-            let at = at.map_err(|why| format!("line {line}: {why}"))?;
-            for (kind, column) in &who {
-                let who = cell(row, *column);
-                let who = who.strip_prefix("Participant ").unwrap_or(who);
-                if !who.is_empty() {
-                    times.entry(who.to_owned()).or_default().push((*kind, at));
+        let of = |(line, row): &(u64, csv::StringRecord)| {
+            let at = match cell(row, time) {
+                "" | "-" => None,
+                text => {
+                    let at = times::timestamp(text, zone);
+                    Some(at.map_err(|why| format!("line {line}: {why}"))?)
                 }
-            }
-        }
-        Ok(times)
+            };
+            let keys = who.iter().map(|(kind, column)| {
+                let who = cell(row, *column);
+                (*kind, who.strip_prefix("Participant ").unwrap_or(who))
+            });
+            let keys = keys.filter(|(_, key)| !key.is_empty());
+            let keys = keys.map(|(kind, key)| (kind, key.to_owned())).collect();
+            Ok(TimeLine { keys, at })
+        };
+        table.rows.iter().map(of).collect()
     })
 }
 
@@ -439,7 +435,7 @@ mod tests {
         let day = |id: &str, number: &str, login: &str| {
             let entry = entry("one", id, "one");
             match handed_in(&entry, id, Some(number), login) {
-                Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
+                Ok(Some(HandInTime::At(time))) => time.strftime("%d").to_string(),
                 other => panic!("{id}: {other:?}"),
             }
         };
@@ -454,7 +450,7 @@ mod tests {
             name: "Team".into(),
             may_be_group: true,
         }];
-        assert_eq!(handed_in(&of_group, "80", None, "ian"), None);
+        assert_eq!(handed_in(&of_group, "80", None, "ian"), Ok(None));
 
         fs::write(&path, "login,time\n77,2026-11-27 10:00\n").expect("there is room");
         policy.times = times_in(&path, Some(&TimeZone::UTC)).expect("it is a list of times");
@@ -472,7 +468,7 @@ mod tests {
                 &[],
             )
         };
-        assert!(of("bob").is_none() && of("77").is_some());
+        assert!(of("bob") == Ok(None) && of("77") != Ok(None));
     }
 
     #[test]
@@ -496,7 +492,7 @@ mod tests {
                 ..Person::default()
             };
             match policy.handed_in(&entry(name, id, name), Some(&person), &[]) {
-                Some(HandInTime::At(time)) => time.strftime("%d").to_string(),
+                Ok(Some(HandInTime::At(time))) => time.strftime("%d").to_string(),
                 other => panic!("{id}: {other:?}"),
             }
         };
@@ -513,7 +509,7 @@ mod tests {
         // Brightspace says November 25, and the uploader's name for the file looks like Blackboard's.
         let name = "11-23 - Ada - Nov 25, 2026 1100 PM - x_attempt_9999-12-31-23-59-59.zip";
         let at = Policy::default().handed_in(&entry("ada", "ada", name), None, &[]);
-        assert_eq!(at, Some(HandInTime::At(Timestamp::MAX)));
+        assert_eq!(at, Ok(Some(HandInTime::At(Timestamp::MAX))));
     }
 
     #[test]

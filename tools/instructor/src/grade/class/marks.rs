@@ -110,8 +110,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             open.late_sometime,
         ),
         (
-            "in the table of times under a login that two people have, one of them perhaps on \
-             GitHub: counted as on time; put a column `id` into that table",
+            "in the table of times under an id or login that may be another person's: counted as on \
+             time; correct that table, or put a column `id` into it",
             true,
             open.contested,
         ),
@@ -156,8 +156,9 @@ struct Attempt {
     lateness: Lateness,
     time: Option<HandInTime<jiff::Timestamp>>,
     judged: Option<JudgedPoints>,
-    /// See [`Policy::contested_login`].
-    contested_login: Option<String>,
+    /// An id or login that the table of times may list for another person; see
+    /// [`Policy::handed_in`].
+    contested: Option<String>,
     /// See [`RecordSummary::tokens`].
     tokens: Box<[(String, String)]>,
 }
@@ -166,14 +167,15 @@ impl Attempt {
     fn new(at: usize, row: &Row, policy: &Policy, team: &[&Person], people: &[Person]) -> Attempt {
         let extra = policy.rules.extra_credit.as_ref();
         let extra = extra.map_or(&[][..], |it| &it.parts);
-        let time = policy.handed_in(row.entry, row.person, people);
-        let contested = |person| policy.contested_login(person, people).cloned();
+        let handed_in = policy.handed_in(row.entry, row.person, people);
+        let contested = handed_in.as_ref().err().cloned();
+        let time = handed_in.unwrap_or_default();
         Attempt {
             at,
             id: row.entry.id.clone(),
             lateness: policy.lateness(time, team),
             time,
-            contested_login: row.person.and_then(contested),
+            contested,
             judged: row
                 .record
                 .and_then(|record| JudgedPoints::of(record, extra)),
@@ -250,8 +252,8 @@ fn give<'a>(
             }
             match counts.lateness {
                 Lateness::LateSometime => open.late_sometime.push(counts.id.clone()),
-                Lateness::Unknown => match &counts.contested_login {
-                    Some(login) => open.contested.push(format!("{}: {login}", counts.id)),
+                Lateness::Unknown => match &counts.contested {
+                    Some(key) => open.contested.push(format!("{}: {key}", counts.id)),
                     None => open.unknown.push(counts.id.clone()),
                 },
                 Lateness::InTime | Lateness::Late { .. } => {}

@@ -3,6 +3,7 @@
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 use jiff::{SignedDuration, Span, Timestamp, Unit, Zoned};
+use serde::{Deserialize, Serialize};
 
 use super::rules::LatenessUnit;
 use super::{Policy, TimeKey};
@@ -26,6 +27,39 @@ pub enum Lateness {
     LateSometime,
     /// It is unknown when it was handed in.
     Unknown,
+}
+
+/// A line of the table of times.
+#[derive(Clone, Debug, Deserialize, PartialEq, Serialize)]
+pub struct TimeLine {
+    /// The id, number, login and submission on it. One person's number or login may be another's
+    /// id, so each is stored with its kind.
+    pub keys: Vec<(TimeKey, String)>,
+    /// The time; `None` if the person has handed in nothing.
+    pub at: Option<Timestamp>,
+}
+
+impl TimeLine {
+    fn has(&self, (kind, key): &(TimeKey, &String)) -> bool {
+        let mut keys = self.keys.iter();
+        keys.any(|(own, text)| own == kind && text == *key)
+    }
+
+    /// What identifies the person.
+    fn person(&self) -> Vec<&(TimeKey, String)> {
+        let keys = self.keys.iter();
+        keys.filter(|(kind, _)| *kind != TimeKey::Submission)
+            .collect()
+    }
+}
+
+/// What the table of times says about a person.
+#[derive(Debug, PartialEq)]
+enum ListedTime {
+    Absent,
+    At(Timestamp),
+    /// This key is on lines of several people.
+    Contested(String),
 }
 
 /// A time zone by its name.
@@ -76,65 +110,90 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
 }
 
 impl Policy {
-    /// What the table of times says under a key. If there are several times, we don't know which is
-    /// meant. Take the last one, so that nobody gets away with being late.
-    fn listed(&self, kind: TimeKey, key: &str) -> Option<Timestamp> {
-        let all = self.times.get(key)?.iter();
-        let own = all.filter(|(own, _)| *own == kind);
-        own.map(|(_, time)| *time).max()
+    /// What the table of times says about a person, or about a submission: the time, or a key that
+    /// is also on another person's line. If there are several times, take the last one, so that nobody
+    /// gets away with being late.
+    fn listed(&self, keys: &[(TimeKey, &String)]) -> ListedTime {
+        let has = |line: &&TimeLine| keys.iter().any(|key| line.has(key));
+        let lines: Vec<&TimeLine> = self.times.iter().filter(has).collect();
+        // On some platforms, people can type in anybody's id. But several people may hand in one
+        // submission.
+        let is_person = |(kind, _): &&(TimeKey, &String)| *kind != TimeKey::Submission;
+        let is_other = |line: &&TimeLine| line.person() != lines[0].person();
+        if let Some(other) = lines.iter().find(|it| is_other(it))
+            && let Some(key) = keys.iter().filter(is_person).find(|key| other.has(key))
+        {
+            return ListedTime::Contested(key.1.clone());
+        }
+        let last = lines.iter().filter_map(|line| line.at).max();
+        last.map_or(ListedTime::Absent, ListedTime::At)
     }
 
-    /// A person's login that is in the table of times, but is somebody else's, too. Nobody knows
-    /// whose time that is.
-    pub fn contested_login<'a>(&self, person: &'a Person, people: &[Person]) -> Option<&'a String> {
-        let is_listed = |login: &&String| self.listed(TimeKey::Login, login).is_some();
-        let mut logins = person.all_logins().filter(is_listed);
-        logins.find(|login| is_anothers_login(login, person, people))
+    /// What the table of times says about a submission or, if it doesn't name it, about the person
+    /// who handed it in. `people` is the roster.
+    fn in_table(&self, entry: &Entry, person: Option<&Person>, people: &[Person]) -> ListedTime {
+        let given = [&entry.id, &entry.name];
+        let of = |kind| given.map(|name| (kind, name)).to_vec();
+        let named = self.listed(&of(TimeKey::Submission));
+        if named != ListedTime::Absent {
+            return named;
+        }
+        let Some(person) = person else {
+            return self.listed(&of(TimeKey::Id));
+        };
+        let signs = entry.signs.iter().filter_map(|sign| match sign {
+            Sign::Account {
+                number,
+                name,
+                may_be_group,
+            } if is_own_number(number, name, *may_be_group, person) => Some(number),
+            _ => None,
+        });
+        let numbers = person.number.iter().chain(signs);
+        let (shared, own): (Vec<_>, Vec<_>) = person
+            .all_logins()
+            .partition(|it| is_anothers_login(it, person, people));
+        let mut keys = vec![(TimeKey::Id, &person.id)];
+        keys.extend(numbers.map(|it| (TimeKey::Number, it)));
+        keys.extend(own.into_iter().map(|it| (TimeKey::Login, it)));
+        let listed = self.listed(&keys);
+        let is_there =
+            |login: &&&String| self.listed(&[(TimeKey::Login, login)]) != ListedTime::Absent;
+        match shared.iter().find(is_there) {
+            // Nobody knows whose time that is.
+            Some(login) if listed == ListedTime::Absent => ListedTime::Contested((*login).clone()),
+            _ => listed,
+        }
     }
 
     /// When a submission was handed in, according to the table of times or, if it doesn't say,
     /// the names of its files. `people` is the roster.
+    ///
+    /// # Errors
+    /// If neither says, but the table has a line with this id or login, which is perhaps another
+    /// person's.
     pub fn handed_in(
         &self,
         entry: &Entry,
         person: Option<&Person>,
         people: &[Person],
-    ) -> Option<HandInTime<Timestamp>> {
-        let given = [&entry.id, &entry.name];
-        let mut keys: Vec<_> = given.map(|name| (TimeKey::Submission, name)).to_vec();
-        if person.is_none() {
-            keys.extend(given.map(|name| (TimeKey::Id, name)));
+    ) -> Result<Option<HandInTime<Timestamp>>, String> {
+        let listed = self.in_table(entry, person, people);
+        if let ListedTime::At(time) = listed {
+            return Ok(Some(HandInTime::At(time)));
         }
-        if let Some(person) = person {
-            let signs = entry.signs.iter().filter_map(|sign| match sign {
-                Sign::Account {
-                    number,
-                    name,
-                    may_be_group,
-                } if is_own_number(number, name, *may_be_group, person) => Some(number),
-                _ => None,
-            });
-            keys.push((TimeKey::Id, &person.id));
-            keys.extend(person.number.iter().map(|it| (TimeKey::Number, it)));
-            let logins = person.all_logins();
-            let logins = logins.filter(|it| !is_anothers_login(it, person, people));
-            keys.extend(logins.map(|it| (TimeKey::Login, it)));
-            keys.extend(signs.map(|it| (TimeKey::Number, it)));
-        }
-        let mut keys = keys.into_iter();
-        if let Some(time) = keys.find_map(|(kind, key)| self.listed(kind, key)) {
-            return Some(HandInTime::At(time));
-        }
-        let zone = self.zone();
-        let named = names::handed_in(&entry.given)?;
-        Some(match named {
+        let named = names::handed_in(&entry.given).map(|named| match named {
             HandInTime::Late => HandInTime::Late,
             HandInTime::At(local) => {
-                let time = local.to_zoned(zone).map(|time| time.timestamp());
+                let time = local.to_zoned(self.zone()).map(|time| time.timestamp());
                 // Only an uploader writes a time that is beyond the last one there is.
                 HandInTime::At(time.unwrap_or(Timestamp::MAX))
             }
-        })
+        });
+        match (named, listed) {
+            (None, ListedTime::Contested(key)) => Err(key),
+            (named, _) => Ok(named),
+        }
     }
 
     /// The deadline of these people: the latest that any of them has.

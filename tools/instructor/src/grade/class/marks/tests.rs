@@ -3,6 +3,7 @@ use crate::grade::intake::matching::Proof;
 use crate::grade::intake::names::Sign;
 use crate::grade::policy::TimeKey;
 use crate::grade::policy::rules::Rules;
+use crate::grade::policy::times::TimeLine;
 use crate::grade::record::tests::graded;
 
 fn person(id: &str) -> Person {
@@ -118,8 +119,10 @@ fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
     let policy = roll.policy.as_mut().expect("it has one");
     for (id, day) in [("ada", 20), ("eve", 25)] {
         let time = format!("2026-11-{day}T11:00:00Z").parse();
-        let time = time.expect("it is a time");
-        policy.times.insert(id.into(), vec![(TimeKey::Id, time)]);
+        policy.times.push(TimeLine {
+            keys: vec![(TimeKey::Id, id.into())],
+            at: Some(time.expect("it is a time")),
+        });
     }
     let records = records(&[("one", 60), ("two", 95)]);
     let expected = ["eve", "ada"].map(|id| (id.to_owned(), "two".to_owned(), 45.0));
@@ -142,8 +145,10 @@ fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() 
         let policy = roll.policy.as_mut().expect("it has one");
         for (login, day) in times {
             let time = format!("2026-11-{day}T11:00:00Z").parse();
-            let time = vec![(TimeKey::Login, time.expect("it is a time"))];
-            policy.times.insert(login.into(), time);
+            policy.times.push(TimeLine {
+                keys: vec![(TimeKey::Login, login.into())],
+                at: Some(time.expect("it is a time")),
+            });
         }
         let records = records(&[("ada", 60), ("bob", 60), ("eve", 60)]);
         let rows = rows(&roll, &records);
@@ -261,11 +266,57 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
     assert_eq!(concerns.len(), 3);
     // A table of times may list only those who were late.
     let policy = roll.policy.as_mut().expect("it has one");
-    policy.times.insert("eve".into(), Vec::new());
+    policy.times.push(TimeLine {
+        keys: vec![(TimeKey::Id, "eve".into())],
+        at: None,
+    });
     let concerns = rows(&roll, &nothing_graded).concerns;
     let mut concerns = concerns.iter();
     let on_time = concerns.find(|it| it.what.contains("counted as on time"));
     assert!(on_time.is_some_and(|it| !it.is_grave && it.which == ["two"]));
+}
+
+#[test]
+fn nobody_is_late_because_somebody_else_has_typed_in_their_id() {
+    // As Gradescope exports it. Ada is in time, but Eve is late, and has typed in Ada's id there.
+    let line = |id: &str, email: &str, day: u32| TimeLine {
+        keys: [(TimeKey::Id, id), (TimeKey::Login, email)]
+            .into_iter()
+            .filter(|(_, key)| !key.is_empty())
+            .map(|(kind, key)| (kind, key.to_owned()))
+            .collect(),
+        at: format!("2026-11-{day}T11:00:00Z").parse().ok(),
+    };
+    let entries = ["ada", "eve"].map(|id| entry(id, id, id)).to_vec();
+    let mut roll = roll(entries, RULES, &[]);
+    for person in roll.people.iter_mut().flatten() {
+        person.logins = vec![format!("{}@u.edu", person.id)];
+    }
+    roll.place();
+    let listed = |ada: TimeLine, eve: &str| {
+        let mut roll = roll.clone();
+        let policy = roll.policy.as_mut().expect("it has one");
+        policy.times = vec![ada, line(eve, "eve@u.edu", 25)];
+        let records = records(&[("ada", 60), ("eve", 60)]);
+        let rows = rows(&roll, &records);
+        let points: Vec<f64> = finals(&rows).into_iter().map(|it| it.2).collect();
+        let listed = rows.concerns.iter().filter(|it| it.is_grave);
+        let listed: Vec<String> = listed.flat_map(|it| it.which.clone()).collect();
+        (points, listed)
+    };
+    for id in ["ada", ""] {
+        let ada = line(id, "ada@u.edu", 20);
+        let ((honest, none), (points, listed)) = (listed(ada.clone(), "eve"), listed(ada, "ada"));
+        assert!(
+            honest[0] == 60.0 && honest[1] < 60.0 && none.is_empty(),
+            "{honest:?} {none:?}"
+        );
+        assert_eq!(
+            (points[0], listed),
+            (60.0, vec!["ada: ada".to_owned()]),
+            "{id:?}"
+        );
+    }
 }
 
 #[test]
