@@ -16,6 +16,7 @@ mod workspace;
 
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::process::Command;
 
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -68,11 +69,26 @@ replace-with = "vendored-sources"
 directory = "vendor"
 "#;
 
+/// A command of cargo for the workspace in `repository`, whose path is absolute. Cargo obeys settings
+/// in the folders around the one where it starts. Other users may have put some around `repository`,
+/// so it starts in the checkout.
+fn cargo_on(repository: &Path, checkout: &Checkout, command: &str) -> Command {
+    let mut cargo = rust_tool("cargo", checkout.root());
+    let manifest = repository.join("Cargo.toml");
+    cargo.args([command, "--quiet", "--manifest-path"]);
+    cargo.arg(manifest);
+    cargo
+}
+
 /// Adds the sources of all dependencies to a repository that has been written. Downloads those that
 /// cargo has no copy of.
-pub fn vendor(repository: &Path) -> Result<()> {
-    let output = rust_tool("cargo", repository)
-        .args(["vendor", "--quiet", "--locked", "vendor"])
+pub fn vendor(repository: &Path, checkout: &Checkout) -> Result<()> {
+    let repository = &repository
+        .canonicalize()
+        .or_fail(&Error::file(repository))?;
+    let output = cargo_on(repository, checkout, "vendor")
+        .arg("--locked")
+        .arg(repository.join("vendor"))
         .output()
         .or_environment("cannot run cargo", "install Rust from https://rustup.rs")?;
     match output.status.success() {
@@ -140,7 +156,7 @@ impl Repository {
     }
 
     /// Writes it to `out`, completely or not at all.
-    pub fn write(self, out: &Path, force: bool) -> Result<HandoutSize> {
-        place::write(self, out, force)
+    pub fn write(self, out: &Path, checkout: &Checkout, force: bool) -> Result<HandoutSize> {
+        place::write(self, out, checkout, force)
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -81,17 +82,8 @@ pub fn build(
     static NEXT: AtomicUsize = AtomicUsize::new(0);
     let turn = NEXT.fetch_add(1, Ordering::Relaxed);
     let fresh = folder.with_extension(format!("{}-{turn}", std::process::id()));
-    let (src, out) = (fresh.join("src"), fresh.join("out"));
-    fs::create_dir_all(&out)
-        .and_then(|()| fs::create_dir_all(&src))
-        .and_then(|()| match sandbox.needs_access() {
-            true => allow(programs, 0o711),
-            false => make_private(programs),
-        })
-        .or_fail(&failed)?;
-    for folder in [&fresh, &src, &out] {
-        allow(folder, 0o755).or_fail(&failed)?;
-    }
+    make_folders(programs, &fresh, sandbox.needs_access()).or_fail(&failed)?;
+    let (src, out) = (fresh.join(SRC), fresh.join("out"));
     for (name, text) in sources {
         let file = src.join(name);
         fs::write(&file, text)
@@ -137,6 +129,23 @@ pub fn build(
         is_late: finished.is_late(),
         disturbed_by: finished.disturbed_by(),
     })
+}
+
+/// Makes a folder to compile in, inside `programs`. If another user of the machine `needs_access`, the
+/// sandbox gives the folder to this user later.
+fn make_folders(programs: &Path, fresh: &Path, needs_access: bool) -> io::Result<()> {
+    fs::create_dir_all(fresh)?;
+    // Before there is a folder for the answers, because whoever enters that one can stay inside.
+    make_private(fresh)?;
+    match needs_access {
+        true => allow(programs, 0o711)?,
+        false => make_private(programs).and_then(|()| allow(fresh, 0o755))?,
+    }
+    for folder in [SRC, "out"].map(|name| fresh.join(name)) {
+        fs::create_dir(&folder)?;
+        allow(&folder, 0o755)?;
+    }
+    Ok(())
 }
 
 /// Whether this is a regular file, as the compiler writes it, and not a link.
@@ -206,4 +215,19 @@ fn fingerprint(sources: &Sources, shown_in: &str, harness: &Harness, sandbox: &S
         hash.update(format!("{modified:?}"));
     }
     hex::encode(&hash.finalize()[..12])
+}
+
+#[cfg(all(test, unix))]
+#[test]
+fn nobody_else_can_enter_a_folder_of_answers_before_they_are_written() {
+    use crate::private::{is_hidden, is_private};
+
+    for needs_access in [true, false] {
+        let programs = tempfile::tempdir().expect("there is room");
+        allow(programs.path(), 0o755).expect("it is ours");
+        let fresh = programs.path().join("fresh");
+        make_folders(programs.path(), &fresh, needs_access).expect("there is room");
+        assert_eq!(is_private(&fresh), needs_access);
+        assert!(is_hidden(&fresh.join(SRC)));
+    }
 }

@@ -38,10 +38,10 @@ fn hand_out(assignment: &Assignment, checkout: &Checkout, arguments: &Handout) -
     if let Some(out) = &arguments.out {
         let mut repository = Repository::of(assignment, checkout, arguments.book.as_deref())?;
         repository.vendored = arguments.vendor;
-        let written = repository.write(out, arguments.force)?;
+        let written = repository.write(out, checkout, arguments.force)?;
         if arguments.vendor {
             progress.say("vendoring");
-            vendor(out)?;
+            vendor(out, checkout)?;
         }
         let withheld: Vec<&str> = assignment
             .withheld_scenes()

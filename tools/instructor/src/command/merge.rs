@@ -9,7 +9,7 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use crate::cli::Merge;
-use crate::grade::cache::{ResultCache, link, pretty, standing, write_unflushed};
+use crate::grade::cache::{ResultCache, link, pretty, refuse_foreign, standing, write_unflushed};
 use crate::grade::class::{self, Change, ROLL, Roll, replace};
 use crate::grade::evidence::Evidence;
 use crate::grade::intake::Entry;
@@ -214,6 +214,7 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
     let mut handed_in_again = BTreeSet::new();
     let mut parts = Vec::new();
     for shard in shards {
+        refuse_foreign(shard, "merge only results of your own")?;
         let path = shard.join(ROLL);
         if !path.exists() && shards.len() > 1 {
             anstream::eprintln!(

@@ -36,21 +36,7 @@ impl ResultCache {
                     .or_fail(&cannot_write(&path))?;
             }
         }
-        // Who can change these files can choose marks. The folder itself may belong to another user:
-        // root in a container often grades into a folder of the host.
-        for path in ["submissions", evidence::FOLDER, "fresh", ROLL].map(|name| folder.join(name)) {
-            if path.exists() && !is_ours(&path) {
-                let path = path.display().to_string();
-                return Err(Error::input(
-                    format!("another user may have written {path}"),
-                    format!(
-                        "name another folder with --out, or, if nobody else has changed it: \
-                         chown -R \"$(id -u)\" {0} && chmod -R go-w {0}",
-                        in_shell(&path)
-                    ),
-                ));
-            }
-        }
+        refuse_foreign(folder, "name another folder with --out")?;
         let path = folder.join(".lock");
         let lock = private_file(&path).or_fail(&cannot_write(&path))?;
         match lock.try_lock() {
@@ -184,6 +170,26 @@ impl ResultCache {
             None => Ok(()),
         }
     }
+}
+
+/// Refuses the folder of a class if another user may have written the results in it. Whoever can change
+/// these files can choose marks. The folder itself may belong to another user: root in a container often
+/// grades into a folder of the host.
+pub fn refuse_foreign(folder: &Path, instead: &str) -> Result<()> {
+    for path in ["submissions", evidence::FOLDER, "fresh", ROLL].map(|name| folder.join(name)) {
+        if path.exists() && !is_ours(&path) {
+            let path = path.display().to_string();
+            return Err(Error::input(
+                format!("another user may have written {path}"),
+                format!(
+                    "{instead}, or, if nobody else has changed it: chown -R \"$(id -u)\" {0} && \
+                     chmod -R go-w {0}",
+                    in_shell(&path)
+                ),
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// A grade that a run has replaced, until the change is listed.

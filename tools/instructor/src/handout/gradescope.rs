@@ -8,6 +8,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use clap::ValueEnum;
+use tempfile::NamedTempFile;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipWriter};
 
@@ -21,7 +22,6 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::manifest::Manifest;
-use pinhole_course::private::private_file;
 
 /// Gradescope runs the first when it builds the container's image, and the second for each
 /// submission. The third is for people who unpack the archive.
@@ -66,10 +66,9 @@ pub fn write(
         format!("cannot write {}", path.display()),
         "name a file in a folder you may write to",
     );
-    let mut name = path.as_os_str().to_owned();
-    name.push(format!(".new{}", std::process::id()));
-    let fresh = Path::new(&name);
-    let mut archive = ZipWriter::new(private_file(fresh).or_fail(&failed)?);
+    let beside = path.parent().filter(|it| !it.as_os_str().is_empty());
+    let fresh = NamedTempFile::new_in(beside.unwrap_or(Path::new("."))).or_fail(&failed)?;
+    let mut archive = ZipWriter::new(fresh);
     let mut files = 0;
     for (name, bytes, mode) in recipe.chain(course) {
         // Films are compressed already, and sources are small.
@@ -80,9 +79,9 @@ pub fn write(
         archive.write_all(bytes).or_fail(&failed)?;
         files += 1;
     }
-    let file = archive.finish().or_fail(&failed)?;
+    let fresh = archive.finish().or_fail(&failed)?;
+    let file = fresh.persist(path).or_fail(&failed)?;
     let bytes = file.metadata().or_fail(&failed)?.len();
-    std::fs::rename(fresh, path).or_fail(&failed)?;
     Ok(HandoutSize { files, bytes })
 }
 

@@ -2,13 +2,13 @@
 
 use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use super::{CARGO_CONFIG, Files, Repository, VENDORED};
+use super::{CARGO_CONFIG, Files, Repository, VENDORED, cargo_on};
+use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::handout_record::{self, HandoutRecord};
 use pinhole_course::manifest::{Hashes, hash, hash_of};
-use pinhole_course::rust_tool::rust_tool;
 
 /// The size of a repository.
 pub struct HandoutSize {
@@ -26,7 +26,12 @@ const MOST_BYTES: u64 = 20_000_000;
 const MOST_NAMED: usize = 10;
 
 /// Writes the repository beside `out`, then moves it there.
-pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutSize> {
+pub fn write(
+    repository: Repository,
+    out: &Path,
+    checkout: &Checkout,
+    force: bool,
+) -> Result<HandoutSize> {
     let name = out
         .file_name()
         .map(|name| name.to_string_lossy().into_owned());
@@ -35,17 +40,25 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
         Error::input(problem, "name a new folder with --out")
     })?;
     let old = before(out, &repository.assignment, force)?;
-    let fresh = TemporaryFolder(out.with_file_name(format!(".{name}.new{}", std::process::id())));
+    // Other users may make files where the repository will be, so write it in a folder with a name
+    // that nobody knows.
+    let around = out.parent().filter(|it| !it.as_os_str().is_empty());
+    let around = around.unwrap_or(Path::new("."));
+    let beside = fs::create_dir_all(around)
+        .and_then(|()| around.canonicalize())
+        .and_then(tempfile::tempdir_in);
+    let beside = beside.or_fail(&cannot(out))?;
+    let fresh = &beside.path().join(name);
     let Repository {
         assignment,
         mut files,
         vendored,
     } = repository;
     for (path, bytes) in &files {
-        put(&fresh.0.join(path), bytes)?;
+        put(&fresh.join(path), bytes)?;
     }
-    prune_lock(&fresh.0)?;
-    let lock = fresh.0.join("Cargo.lock");
+    prune_lock(fresh, checkout)?;
+    let lock = fresh.join("Cargo.lock");
     files.insert(
         "Cargo.lock".into(),
         fs::read(&lock).or_fail(&cannot(&lock))?,
@@ -55,14 +68,14 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
         // have looked for it.
         let settings = files.entry(CARGO_CONFIG.into()).or_default();
         settings.extend_from_slice(VENDORED.as_bytes());
-        put(&fresh.0.join(CARGO_CONFIG), settings)?;
+        put(&fresh.join(CARGO_CONFIG), settings)?;
     }
     let record = HandoutRecord {
         assignment,
         files: hashes(&files),
     };
     let text = record.text()?;
-    put(&fresh.0.join(handout_record::FILE), text.as_bytes())?;
+    put(&fresh.join(handout_record::FILE), text.as_bytes())?;
     let bytes = files.values().map(Vec::len).sum::<usize>() + text.len();
     let written = HandoutSize {
         files: files.len() + 1,
@@ -83,9 +96,9 @@ pub fn write(repository: Repository, out: &Path, force: bool) -> Result<HandoutS
             // Removes an empty folder. If the folder were not empty, `before` would have refused
             // it.
             let _absent = fs::remove_dir(out);
-            fs::rename(&fresh.0, out).or_fail(&cannot(out))?;
+            fs::rename(fresh, out).or_fail(&cannot(out))?;
         }
-        Some(old) => replace(&fresh.0, out, &old, &record)?,
+        Some(old) => replace(fresh, out, &old, &record)?,
     }
     Ok(written)
 }
@@ -180,20 +193,11 @@ fn replace(fresh: &Path, out: &Path, old: &HandoutRecord, new: &HandoutRecord) -
     Ok(())
 }
 
-/// A temporary folder, which is deleted unless it was moved to its place.
-struct TemporaryFolder(PathBuf);
-
-impl Drop for TemporaryFolder {
-    fn drop(&mut self) {
-        let _moved = fs::remove_dir_all(&self.0);
-    }
-}
-
 /// Makes cargo remove from the lock file what a student's workspace does not need. With
 /// `--locked`, as in CI, it would refuse to do so later.
-fn prune_lock(folder: &Path) -> Result<()> {
-    let mut cargo = rust_tool("cargo", folder);
-    cargo.args(["update", "--workspace", "--offline", "--quiet"]);
+fn prune_lock(folder: &Path, checkout: &Checkout) -> Result<()> {
+    let mut cargo = cargo_on(folder, checkout, "update");
+    cargo.args(["--workspace", "--offline"]);
     let failed = Error::environment(
         "cargo cannot prune the lock file",
         "run `cargo fetch` in the checkout, then run this command again",

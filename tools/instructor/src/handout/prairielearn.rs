@@ -15,7 +15,7 @@ use crate::grade::redact::Reveal;
 use pinhole_course::assignment::{Assignment, Task, examples_file};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::error::{Error, Result, ResultExt};
-use pinhole_course::private::make_private;
+use pinhole_course::private::{is_private, make_private};
 
 const DOCKERFILE: &str = include_str!("../../templates/handout/prairielearn/Dockerfile");
 const RUN: &str = include_str!("../../templates/handout/prairielearn/run.sh");
@@ -49,6 +49,12 @@ pub fn write(
     fs::create_dir_all(out)
         .and_then(|()| make_private(out))
         .or_fail(&failed(out))?;
+    if !is_private(out) {
+        return Err(Error::input(
+            format!("another user has made {}", out.display()),
+            "name a new folder",
+        ));
+    }
     let mut bytes = 0;
     for (name, content) in &files {
         let path = out.join(name);

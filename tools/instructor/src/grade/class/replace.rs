@@ -40,7 +40,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
 }
 
 /// Refuses to change the roster or the policy for submissions that are not passed now, and to forget
-/// the policy.
+/// one of them.
 pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
     let (new, old) = (&roll.policy, &class.policy);
     let is_here = |old: &Entry| roll.entries.iter().any(|new| new.replaces(old));
@@ -55,6 +55,8 @@ pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<
         () if is_part && new.is_some() && new != old => "policy",
         () if is_part && roll.people.is_some() && people(roll) != people(class) => "roster",
         () if !is_single && new.is_none() && old.is_some() => "policy",
+        // Perhaps somebody's upload looks like the whole class.
+        () if !is_single && roll.people.is_none() && class.people.is_some() => "roster",
         () => return Ok(()),
     };
     Err(Error::input(
@@ -159,6 +161,11 @@ mod tests {
             let refused = refuse_other_rules(&new, &class, true);
             assert_eq!(refused.is_err(), is_part, "{ids:?}");
         }
+        let mut new = of(&["ada", "bob"]);
+        refuse_other_rules(&new, &class, false).expect("it is the same roster");
+        new.people = None;
+        let refused = refuse_other_rules(&new, &class, false);
+        refused.expect_err("one person's upload may look like the class");
     }
 
     #[test]

@@ -81,7 +81,13 @@ impl<'a> Convention<'a> {
     pub fn meant(&self, name: &str) -> (Proof, Vec<&'a Person>) {
         let assigned = with_assigned(name, self.index.people);
         if !assigned.is_empty() {
-            return (Proof::Id, assigned);
+            // On some platforms, people type in their own address.
+            let is_id = assigned.iter().any(|it| it.id.eq_ignore_ascii_case(name));
+            let proof = match is_id || !name.contains('@') {
+                true => Proof::Id,
+                false => Proof::Name,
+            };
+            return (proof, assigned);
         }
         let start = name
             .strip_prefix(&*self.title)

@@ -178,6 +178,17 @@ fn shards_merge_to_the_grades_of_one_run() {
     on_small_assignment(&["merge", &one, &two, "--out", &out])
         .expect_code(2)
         .expect_err("that is now missing: zed");
+
+    // Another user may have written this part.
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        let results = class.folder.join("1-2/submissions");
+        fs::set_permissions(&results, fs::Permissions::from_mode(0o777)).expect("it is ours");
+        on_small_assignment(&["merge", &one, &two, "--out", &class.path("merged-foreign")])
+            .expect_code(2)
+            .expect_err("another user may have written");
+    }
 }
 
 #[test]

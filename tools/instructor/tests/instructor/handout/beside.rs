@@ -84,6 +84,15 @@ fn a_question_for_prairielearn_holds_its_grader_and_every_stub() {
     let checked = Command::new("bash").arg("-n").arg(script).status();
     assert!(checked.expect("bash starts").success());
     write().expect_code(2).expect_err("is not empty");
+    #[cfg(unix)]
+    {
+        fs::remove_dir_all(&out).expect("it is there");
+        fs::create_dir(&out).expect("there is room");
+        // Only root can give files away.
+        if std::os::unix::fs::chown(&out, Some(12345), None).is_ok() {
+            write().expect_code(2).expect_err("another user has made");
+        }
+    }
 }
 
 #[test]

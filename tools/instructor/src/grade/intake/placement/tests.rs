@@ -281,8 +281,9 @@ fn a_name_of_one_word_is_not_looked_for_among_other_words() {
 
 #[test]
 fn several_submissions_by_one_person_are_all_listed() {
-    let plain = ["s2", "ghopper@uni.example"];
-    let placed = place(&entries(&plain), Some(&people()));
+    let mut people = people();
+    people[1].logins.push("gh77".into());
+    let placed = place(&entries(&["s2", "gh77"]), Some(&people));
     assert!(placed.superseded.is_empty());
     assert_eq!(placed.several.len(), 1);
     assert_eq!(placed.of.len(), 2);
@@ -297,6 +298,20 @@ fn a_folder_that_only_a_persons_name_places_is_listed() {
         assert_eq!(placed.of.len(), 1, "{name}");
         assert_eq!(placed.by_name, [name]);
     }
+}
+
+#[test]
+fn an_address_that_people_may_have_typed_in_is_listed() {
+    // Eve may have entered Ada's private address on the platform.
+    let mut people = people();
+    people[0].logins = vec!["ada@home.example".into()];
+    people[1].id = "grace@uni.example".into();
+    let placed = place(
+        &entries(&["ada@home.example", "grace@uni.example"]),
+        Some(&people),
+    );
+    assert_eq!(placed.of.len(), 2);
+    assert_eq!(placed.by_name, ["ada@home.example"]);
 }
 
 #[test]
