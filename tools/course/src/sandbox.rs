@@ -469,6 +469,11 @@ impl Sandbox {
         }
     }
 
+    /// See [`Budget::is_starved`].
+    pub fn is_starved(&self) -> bool {
+        self.budget().is_some_and(Budget::is_starved)
+    }
+
     /// Whether compiling has used up its share of the submission's time.
     pub fn is_done_compiling(&self) -> bool {
         self.budget().is_some_and(Budget::is_done_compiling)

@@ -47,11 +47,21 @@ impl Budget {
         let Some((begun, whole)) = self.whole else {
             return Ok(Duration::MAX);
         };
-        let starved = *self.starved.lock().unwrap_or_else(PoisonError::into_inner);
+        let starved = self.starved();
         match (whole + starved.min(whole)).saturating_sub(begun.elapsed()) {
             left if left < LEAST => Err(whole),
             left => Ok(left),
         }
+    }
+
+    /// Whether its time is up only because other programs kept it from running.
+    pub fn is_starved(&self) -> bool {
+        let is_long = |(_, whole)| self.starved() > whole;
+        self.left().is_err() && self.whole.is_some_and(is_long)
+    }
+
+    fn starved(&self) -> Duration {
+        *self.starved.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Whether compiling has used up its share of the time.
@@ -117,6 +127,14 @@ mod tests {
                 .left()
                 .is_ok_and(|left| left <= Duration::from_secs(5))
         );
+        assert!(!budget.is_starved());
+        let begun = Instant::now() - Duration::from_secs(20);
+        let [starved, slow] = [108, 8].map(|seconds| Budget {
+            whole: Some((begun, Duration::from_secs(10))),
+            starved: Arc::new(Mutex::new(Duration::from_secs(seconds))),
+            ..Budget::default()
+        });
+        assert!(starved.is_starved() && !slow.is_starved());
     }
 
     #[test]

@@ -21,7 +21,7 @@ use super::shared_answers;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::{Attempt, Compiler};
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::examples::add_handed_in;
 use pinhole_course::goldens::Goldens;
@@ -190,6 +190,12 @@ impl Grader<'_> {
                 (examination, Some(fresh))
             }
         };
+        if sandbox.is_starved() {
+            return Err(Error::environment(
+                "other programs on this machine kept it from running",
+                "grade it again when the machine is less busy",
+            ));
+        }
         let outcome = &mut examination.outcome;
         add_handed_in(outcome, submission, self.assignment, self.checkout, false)?;
         let asked = start.elapsed();

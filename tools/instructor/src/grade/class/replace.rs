@@ -15,12 +15,11 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     let Ok(class) = Roll::read(earlier) else {
         return Ok(());
     };
-    refuse_other_rules(roll, &class, false)?;
     let is_here = |one: &&Entry| roll.entries.iter().any(|entry| entry.replaces(one));
     let all = class.entries.iter().filter(|_| class.is_class);
     let absent: Vec<&str> = all.filter(|it| !is_here(it)).map(|it| &*it.id).collect();
     if absent.is_empty() {
-        return Ok(());
+        return refuse_other_rules(roll, &class, false);
     }
     let mut some = absent[..absent.len().min(3)].join(", ");
     if absent.len() > 3 {

@@ -58,8 +58,24 @@ impl TimeLine {
 enum ListedTime {
     Absent,
     At(Timestamp),
-    /// This key is on lines of several people.
+    /// This id, login or submission's name is also another person's.
     Contested(String),
+}
+
+impl ListedTime {
+    fn or(self, other: impl FnOnce() -> ListedTime) -> ListedTime {
+        match self {
+            ListedTime::Absent => other(),
+            said => said,
+        }
+    }
+}
+
+/// The last time on these lines. If there are several, we don't know which is meant, and nobody should
+/// get away with being late.
+fn last(lines: &[&TimeLine]) -> ListedTime {
+    let last = lines.iter().filter_map(|line| line.at).max();
+    last.map_or(ListedTime::Absent, ListedTime::At)
 }
 
 /// A time zone by its name.
@@ -110,36 +126,20 @@ pub fn timestamp(text: &str, zone: Option<&TimeZone>) -> Result<Timestamp, Strin
 }
 
 impl Policy {
-    /// What the table of times says about a person, or about a submission: the time, or a key that
-    /// is also on another person's line. If there are several times, take the last one, so that nobody
-    /// gets away with being late.
-    fn listed(&self, keys: &[(TimeKey, &String)]) -> ListedTime {
+    /// The lines of the table of times that have one of these keys.
+    fn lines(&self, keys: &[(TimeKey, &String)]) -> Vec<&TimeLine> {
         let has = |line: &&TimeLine| keys.iter().any(|key| line.has(key));
-        let lines: Vec<&TimeLine> = self.times.iter().filter(has).collect();
-        // On some platforms, people can type in anybody's id. But several people may hand in one
-        // submission.
-        let is_person = |(kind, _): &&(TimeKey, &String)| *kind != TimeKey::Submission;
-        let is_other = |line: &&TimeLine| line.person() != lines[0].person();
-        if let Some(other) = lines.iter().find(|it| is_other(it))
-            && let Some(key) = keys.iter().filter(is_person).find(|key| other.has(key))
-        {
-            return ListedTime::Contested(key.1.clone());
-        }
-        let last = lines.iter().filter_map(|line| line.at).max();
-        last.map_or(ListedTime::Absent, ListedTime::At)
+        self.times.iter().filter(has).collect()
     }
 
     /// What the table of times says about a submission or, if it doesn't name it, about the person
     /// who handed it in. `people` is the roster.
     fn in_table(&self, entry: &Entry, person: Option<&Person>, people: &[Person]) -> ListedTime {
         let given = [&entry.id, &entry.name];
-        let of = |kind| given.map(|name| (kind, name)).to_vec();
-        let named = self.listed(&of(TimeKey::Submission));
-        if named != ListedTime::Absent {
-            return named;
-        }
+        let of = |kind| self.lines(&given.map(|name| (kind, name)));
+        let named = of(TimeKey::Submission);
         let Some(person) = person else {
-            return self.listed(&of(TimeKey::Id));
+            return last(&named).or(|| last(&of(TimeKey::Id)));
         };
         let signs = entry.signs.iter().filter_map(|sign| match sign {
             Sign::Account {
@@ -156,14 +156,32 @@ impl Policy {
         let mut keys = vec![(TimeKey::Id, &person.id)];
         keys.extend(numbers.map(|it| (TimeKey::Number, it)));
         keys.extend(own.into_iter().map(|it| (TimeKey::Login, it)));
-        let listed = self.listed(&keys);
-        let is_there =
-            |login: &&&String| self.listed(&[(TimeKey::Login, login)]) != ListedTime::Absent;
-        match shared.iter().find(is_there) {
-            // Nobody knows whose time that is.
-            Some(login) if listed == ListedTime::Absent => ListedTime::Contested((*login).clone()),
-            _ => listed,
+        let team = self.group_of(&person.id).into_iter();
+        let team: Vec<_> = team.flat_map(|it| &it.members).collect();
+        let is_theirs = |line: &&TimeLine| {
+            let mut ids = team.iter().map(|id| (TimeKey::Id, *id));
+            line.person().is_empty()
+                || keys.iter().any(|key| line.has(key))
+                || ids.any(|key| line.has(&key))
+        };
+        // Another person may have given a submission this name.
+        if !named.iter().all(is_theirs) {
+            return ListedTime::Contested(entry.name.clone());
         }
+        let listed = self.lines(&keys);
+        // On some platforms, people can type in anybody's id.
+        if let Some(other) = listed.iter().find(|it| it.person() != listed[0].person())
+            && let Some((_, key)) = keys.iter().find(|key| other.has(key))
+        {
+            return last(&named).or(|| ListedTime::Contested((*key).clone()));
+        }
+        // Nobody knows whose time it is that stands under a login of two people.
+        let mut shared = shared.into_iter();
+        let contested = || {
+            let login = shared.find(|it| !self.lines(&[(TimeKey::Login, it)]).is_empty());
+            login.map_or(ListedTime::Absent, |it| ListedTime::Contested(it.clone()))
+        };
+        last(&named).or(|| last(&listed)).or(contested)
     }
 
     /// When a submission was handed in, according to the table of times or, if it doesn't say,
