@@ -27,10 +27,9 @@ use pinhole_course::compile::Compiler;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
-use pinhole_course::private::{is_hidden, make_private};
+use pinhole_course::private::make_private;
 use pinhole_course::progress::Progress;
 use pinhole_course::sandbox::{Choice, Sandbox};
-use pinhole_course::shell::in_shell;
 use pinhole_course::timings::Timings;
 use pinhole_report::program::Status;
 
@@ -71,17 +70,14 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     };
 
     for folder in golden.iter().chain(&fresh) {
-        if !is_hidden(folder) {
-            let name = folder.display().to_string();
-            let problem = format!("other users can read or replace {name}");
-            let remedy = format!(
-                "move it to a folder of yours, and chmod go-rwx {0}",
-                in_shell(&name)
-            );
+        if let Err(exposed) = fresh::refuse_exposed(folder) {
             // An instructor's own scenes need not be secret.
             if fresh.as_ref() == Some(folder) {
-                return Err(Error::input(problem, remedy));
+                return Err(exposed);
             }
+            let Error {
+                problem, remedy, ..
+            } = exposed;
             anstream::eprintln!("{problem}; if these goldens are secret: {remedy}");
         }
     }

@@ -16,7 +16,7 @@ use super::course::add_earlier_goldens;
 use super::sources::{add_folder_as, add_top, read};
 use super::workspace::{CLI, INSTRUCTOR, Workspace};
 use super::{Files, HandoutSize, place_of};
-use crate::grade::grader::fresh::{Purpose, reserve};
+use crate::grade::grader::fresh::{Purpose, refuse_exposed, reserve};
 use crate::grade::redact::Reveal;
 use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
@@ -117,6 +117,7 @@ pub fn course(
     if let Some(folder) = fresh {
         // Read the manifest first, to refuse a folder without goldens.
         Manifest::read(folder)?;
+        refuse_exposed(folder)?;
         reserve(folder, Purpose::Feedback)?;
         add_folder_as(&mut files, folder, "fresh", &[])?;
     }

@@ -17,8 +17,10 @@ use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba;
 use pinhole_course::outcome::{GroupOutcome, Outcome};
+use pinhole_course::private::is_hidden;
 use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
+use pinhole_course::shell::in_shell;
 
 /// The fresh questions of a class.
 pub struct Questions {
@@ -160,6 +162,21 @@ pub fn reserve(folder: &Path, purpose: Purpose) -> Result<()> {
                 "copy the folder to a place where you may write",
             ),
     }
+}
+
+/// Refuses a folder of goldens that other users can read or replace.
+pub fn refuse_exposed(folder: &Path) -> Result<()> {
+    if is_hidden(folder) {
+        return Ok(());
+    }
+    let name = folder.display().to_string();
+    Err(Error::input(
+        format!("other users can read or replace {name}"),
+        format!(
+            "move it to a folder of yours, and chmod go-rwx {}",
+            in_shell(&name)
+        ),
+    ))
 }
 
 /// Takes away the points of groups that pass the public questions but fail fresh ones.
