@@ -16,8 +16,8 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         return Ok(());
     };
     let is_here = |one: &&Entry| roll.entries.iter().any(|entry| entry.replaces(one));
-    let all = class.entries.iter().filter(|_| class.is_class);
-    let absent: Vec<&str> = all.filter(|it| !is_here(it)).map(|it| &*it.id).collect();
+    let absent = class.entries.iter().filter(|it| !is_here(it));
+    let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
         return refuse_other_rules(roll, &class, false);
     }
@@ -207,8 +207,17 @@ mod tests {
         let mut new = of(&["Ada", "ada.2", "bob"]);
         new.entries[1].name = "ada".into();
         refuse_partial_class(&new, &earlier, "pass paths").expect("all are here");
-        let error =
-            refuse_partial_class(&of(&["bob"]), &earlier, "pass paths").expect_err("ada is absent");
-        assert!(error.to_string().contains("now missing: ada"), "{error}");
+        for is_class in [true, false] {
+            // A class may have been passed as a folder or as the paths of its submissions.
+            let class = Roll {
+                is_class,
+                ..of(&["ada", "bob"])
+            };
+            let text = serde_json::to_string(&class).expect("it is JSON");
+            fs::write(&earlier, text).expect("there is room");
+            let refused = refuse_partial_class(&of(&["bob"]), &earlier, "pass paths");
+            let error = refused.expect_err("ada is absent").to_string();
+            assert!(error.contains("now missing: ada"), "{error}");
+        }
     }
 }
