@@ -280,7 +280,7 @@ impl Sandbox {
         self.sweep();
         let finished = finished?;
         if finished.is_late() {
-            self.charge();
+            self.charge(false);
         }
         #[cfg(target_os = "linux")]
         if let Some(paths) = self.host_paths() {
@@ -374,19 +374,21 @@ impl Sandbox {
             stop,
         };
         let before = time_of_children();
-        let starved = Rc::new(Cell::new(Duration::ZERO));
+        // How long it was kept from running, and how long not.
+        let times = Rc::new(Cell::new((Duration::ZERO, Duration::ZERO)));
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {
             watch = Some(self.watch(pid, &limits));
-            let (mut clock, begun, starved) = (own_clock(pid), Instant::now(), starved.clone());
+            let (mut clock, begun, times) = (own_clock(pid), Instant::now(), times.clone());
             Box::new(move || {
                 let had = clock();
-                starved.set(begun.elapsed().saturating_sub(had));
+                times.set((begun.elapsed().saturating_sub(had), had));
                 had
             })
         });
         let exceeded = watch.and_then(Watch::stop);
+        let (starved, had) = times.get();
         if let Some(budget) = self.budget() {
-            budget.add_starved(starved.get());
+            budget.add_starved(starved);
         }
         self.sweep();
         let mut reply = asked?;
@@ -415,7 +417,7 @@ impl Sandbox {
             }
         }
         if let Ending::TimedOut(_) = reply.ending {
-            self.charge();
+            self.charge(starved > had);
             if let Err(whole) = self.time_left() {
                 reply.ending = Ending::OutOfTime(whole);
             }
@@ -479,9 +481,9 @@ impl Sandbox {
         self.budget().is_some_and(Budget::is_done_compiling)
     }
 
-    fn charge(&self) {
+    fn charge(&self, is_starved: bool) {
         if let Some(budget) = self.budget() {
-            budget.charge();
+            budget.charge(is_starved);
         }
     }
 

@@ -4,7 +4,7 @@
 //! hundred times that limit. Answers that arrive in time cost nothing here, so a slow but right
 //! submission loses nothing.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
@@ -20,6 +20,8 @@ pub struct Budget {
     whole: Option<(Instant, Duration)>,
     /// How long other programs kept it from running.
     starved: Arc<Mutex<Duration>>,
+    /// Whether it exceeded a limit while other programs had most of the time.
+    has_starved: Arc<AtomicBool>,
 }
 
 /// After this many exceeded limits, everything else gets only its shortest time.
@@ -54,10 +56,11 @@ impl Budget {
         }
     }
 
-    /// Whether its time is up only because other programs kept it from running.
+    /// Whether it exceeded a limit perhaps only because other programs kept it from running.
     pub fn is_starved(&self) -> bool {
         let is_long = |(_, whole)| self.starved() > whole;
-        self.left().is_err() && self.whole.is_some_and(is_long)
+        let is_out_of_time = self.left().is_err() && self.whole.is_some_and(is_long);
+        is_out_of_time || self.has_starved.load(Ordering::Relaxed)
     }
 
     fn starved(&self) -> Duration {
@@ -83,9 +86,10 @@ impl Budget {
         *self.starved.lock().unwrap_or_else(PoisonError::into_inner) += time;
     }
 
-    /// Counts one limit that was exceeded.
-    pub fn charge(&self) {
+    /// Counts one limit that was exceeded, perhaps only because other programs took most of the time.
+    pub fn charge(&self, is_starved: bool) {
         self.lost.fetch_add(1, Ordering::Relaxed);
+        self.has_starved.fetch_or(is_starved, Ordering::Relaxed);
     }
 }
 
@@ -135,6 +139,11 @@ mod tests {
             ..Budget::default()
         });
         assert!(starved.is_starved() && !slow.is_starved());
+        for is_starved in [false, true] {
+            let budget = Budget::default();
+            budget.clone().charge(is_starved);
+            assert_eq!(budget.is_starved(), is_starved);
+        }
     }
 
     #[test]
@@ -142,9 +151,9 @@ mod tests {
         let budget = Budget::default();
         let seconds = Duration::from_secs;
         let limits = Limits::of_processor(seconds(16), seconds(9));
-        budget.clone().charge();
+        budget.clone().charge(false);
         assert_eq!(budget.bound(limits), limits);
-        budget.charge();
+        budget.charge(false);
         assert_eq!(budget.bound(limits).cpu, seconds(9));
         assert_eq!(budget.bound(limits).wall, seconds(20));
     }
