@@ -134,6 +134,7 @@ pub fn build(
 /// Makes a folder to compile in, inside `programs`. If another user of the machine `needs_access`, the
 /// sandbox gives the folder to this user later.
 fn make_folders(programs: &Path, fresh: &Path, needs_access: bool) -> io::Result<()> {
+    let _left_by_a_killed_command = fs::remove_dir_all(fresh);
     fs::create_dir_all(fresh)?;
     // Before there is a folder for the answers, because whoever enters that one can stay inside.
     make_private(fresh)?;

@@ -1,10 +1,34 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
+
+/// Refuses to replace a class by what is inside one submission, because its author chose that.
+/// `paths` are read as a class, and `earlier` is the roll of the class in the `--out` folder.
+pub fn refuse_one_like_a_class(paths: &[PathBuf], earlier: &Path) -> Result<()> {
+    let Ok(class) = Roll::read(earlier) else {
+        return Ok(());
+    };
+    let is_one = |path: &&PathBuf| {
+        let name = path.file_name().map(|name| name.to_string_lossy());
+        let mut all = class.entries.iter();
+        name.is_some_and(|name| all.any(|it| [&*it.id, &*it.name].contains(&&*name)))
+    };
+    match paths.iter().find(is_one) {
+        None => Ok(()),
+        Some(path) => Err(Error::input(
+            format!(
+                "{} is named like a submission in the --out folder, but looks like a class",
+                path.display()
+            ),
+            "pass the folder inside it that holds this person's answers, renamed to this \
+             submission's name, or name another folder with --out",
+        )),
+    }
+}
 
 /// Refuses a class that lacks the policy or submissions of the class in the `--out` folder, whose
 /// roll is the file `earlier`. The user may have passed a folder with only one late submission, and
@@ -183,6 +207,24 @@ mod tests {
         // Two folders with the same name were passed before, and are now.
         let twins = of(&[("ada", "ada"), ("ada.2", "ada")]);
         refuse_chosen_names(&twins, &twins).expect("both are here");
+    }
+
+    #[test]
+    fn a_submission_that_looks_like_a_class_does_not_replace_the_class() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let earlier = folder.path().join(ROLL);
+        let mut class = roll(
+            vec![entry("ada", "hw1-ada", "ada")],
+            "time_zone = 'UTC'",
+            &[],
+        );
+        class.entries[0].name = "hw1-ada".into();
+        let text = serde_json::to_string(&class).expect("it is JSON");
+        fs::write(&earlier, text).expect("there is room");
+        for (path, is_refused) in [("clones/hw1-ada", true), ("ada/", true), ("clones", false)] {
+            let refused = refuse_one_like_a_class(&[path.into()], &earlier);
+            assert_eq!(refused.is_err(), is_refused, "{path}");
+        }
     }
 
     #[test]
