@@ -45,6 +45,12 @@ impl TimeLine {
         keys.any(|(own, text)| own == kind && text == *key)
     }
 
+    /// Whether it has this person's id or number.
+    fn is_of(&self, person: &Person) -> bool {
+        let number = person.number.as_ref().map(|it| (TimeKey::Number, it));
+        self.has(&(TimeKey::Id, &person.id)) || number.is_some_and(|it| self.has(&it))
+    }
+
     /// What identifies the person.
     fn person(&self) -> Vec<&(TimeKey, String)> {
         let keys = self.keys.iter();
@@ -169,8 +175,12 @@ impl Policy {
             return ListedTime::Contested(entry.name.clone());
         }
         let listed = self.lines(&keys);
-        // On some platforms, people can type in anybody's id.
-        if let Some(other) = listed.iter().find(|it| it.person() != listed[0].person())
+        // On some platforms, people can type in anybody's id or address.
+        let is_others = |line: &&&TimeLine| {
+            let others = people.iter().filter(|other| other.id != person.id);
+            line.person() != listed[0].person() || others.into_iter().any(|it| line.is_of(it))
+        };
+        if let Some(other) = listed.iter().find(is_others)
             && let Some((_, key)) = keys.iter().find(|key| other.has(key))
         {
             return last(&named).or(|| ListedTime::Contested((*key).clone()));
