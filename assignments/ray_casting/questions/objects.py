@@ -51,7 +51,7 @@ def draw(rng, group, kind, things):
     # t is so large that a search can't begin with a large number instead of infinity.
     long = log_uniform(rng, 1, 1e4) if group == "min_t" else 1
     if group == "shuffled" and rng.uniform() < 0.25:
-        long = log_uniform(rng, 1e-6, 1e-2)
+        long = log_uniform(rng, 1e-12, 1e-2)
     direction = as_f32(long * rng.uniform(0.5, 2) * unit_vector(rng))
     origin = as_f32(rng.uniform(-3, 3, 3))
     objects = [
