@@ -1,5 +1,6 @@
 //! Films: the result of a cast, with one sample per pixel and channel.
 
+use std::fs;
 use std::path::Path;
 
 use glam::DVec3;
@@ -224,7 +225,20 @@ impl Film {
     /// # Errors
     /// If the file cannot be written.
     pub fn write(&self, path: &Path) -> Result<(), Error> {
-        openexr::write(self, path)
+        let bytes = self.to_bytes();
+        let written = bytes.and_then(|it| fs::write(path, it).map_err(|error| error.to_string()));
+        written.map_err(|problem| {
+            Error::new(
+                path,
+                format!("cannot write this film: {problem}"),
+                "name a folder you may write to",
+            )
+        })
+    }
+
+    /// The bytes of the file that [`write`](Film::write) writes. An error says why there are none.
+    pub fn to_bytes(&self) -> Result<Vec<u8>, String> {
+        openexr::to_bytes(self)
     }
 }
 

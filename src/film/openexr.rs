@@ -123,7 +123,8 @@ fn decode(bytes: &[u8]) -> Result<OneLayer, String> {
 
 type OneLayer = Image<Layer<AnyChannels<FlatSamples>>>;
 
-pub(super) fn write(film: &Film, path: &Path) -> Result<(), Error> {
+/// The bytes of a film, or why there are none.
+pub(super) fn to_bytes(film: &Film) -> Result<Vec<u8>, String> {
     let list = film.channels.iter().map(|channel| {
         AnyChannel::new(
             channel.name.as_str(),
@@ -136,13 +137,6 @@ pub(super) fn write(film: &Film, path: &Path) -> Result<(), Error> {
         Encoding::SMALL_LOSSLESS,
         AnyChannels::sort(list.collect()),
     );
-    let cannot = |problem: String| {
-        Error::new(
-            path,
-            format!("cannot write this film: {problem}"),
-            "name a folder you may write to",
-        )
-    };
     // One thread writes compressed blocks in the same order every time, so the file is always the
     // same.
     let mut bytes = Cursor::new(Vec::new());
@@ -150,6 +144,6 @@ pub(super) fn write(film: &Film, path: &Path) -> Result<(), Error> {
         .write()
         .non_parallel()
         .to_buffered(&mut bytes)
-        .map_err(|error| cannot(error.to_string()))?;
-    fs::write(path, bytes.into_inner()).map_err(|error| cannot(error.to_string()))
+        .map_err(|error| error.to_string())?;
+    Ok(bytes.into_inner())
 }

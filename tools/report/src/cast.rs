@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::fs;
+use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
@@ -12,6 +13,7 @@ use pinhole::{Film, false_colour};
 use pinhole_course::error::{Result, ResultExt};
 use serde_json::{Value, json};
 
+use crate::output;
 use crate::pictures;
 use crate::program::Status;
 
@@ -71,7 +73,12 @@ impl Cast {
             format_args!("cannot write to {}", out.display()),
             "name another folder with --out",
         )?;
-        self.film.write(&path)?;
+        let bytes = self.film.to_bytes().map_err(io::Error::other);
+        let written = bytes.and_then(|bytes| output::write(&path, &bytes));
+        written.or_input(
+            format_args!("cannot write {}", path.display()),
+            "name another folder with --out",
+        )?;
         let range = match &golden {
             Some(golden) => false_colour::depth_range(&Film::read(golden)?, depth_per_t),
             None => false_colour::depth_range(&self.film, depth_per_t),

@@ -9,6 +9,7 @@ pub mod escape;
 pub mod finish;
 pub mod html;
 pub mod json;
+mod output;
 pub mod passage;
 pub mod pictures;
 pub mod program;

@@ -1,12 +1,14 @@
 //! Writes false-colour pictures.
 
+use std::io::{self, Cursor};
 use std::ops::Range;
 use std::path::Path;
 
-use image::RgbImage;
+use image::{ImageFormat, RgbImage};
 use pinhole::heat_map::HeatScale;
 use pinhole::{Film, false_colour};
 
+use crate::output;
 use pinhole_course::error::{Result, ResultExt};
 
 /// Writes `id`, `depth` and `normal` pictures of a film of hits, with `prefix` before their names
@@ -43,7 +45,11 @@ pub fn write_tests(folder: &Path, prefix: &str, film: &Film, scale: &HeatScale) 
 
 /// Writes one picture.
 pub fn save(picture: &RgbImage, path: &Path) -> Result<()> {
-    picture.save(path).or_input(
+    let mut png = Cursor::new(Vec::new());
+    let encoded = picture.write_to(&mut png, ImageFormat::Png);
+    let written = encoded.map_err(io::Error::other);
+    let written = written.and_then(|()| output::write(path, png.get_ref()));
+    written.or_input(
         format_args!("cannot write {}", path.display()),
         "name a folder you may write to",
     )

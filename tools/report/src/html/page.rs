@@ -1,6 +1,5 @@
 //! Renders a report as HTML.
 
-use std::io::Write;
 use std::path::Path;
 
 use base64::Engine;
@@ -9,11 +8,11 @@ use hmac_sha256::Hash;
 use minijinja::{Environment, HtmlEscape, UndefinedBehavior, context, value::Serde};
 use pinhole::false_colour::{self, Difference};
 use pinhole::film::HIT_CHANNELS;
-use pinhole_course::private::private_file;
 use serde_json::{Value, json};
 
 use super::Report;
 use super::cause::Cause;
+use crate::output;
 
 const TEMPLATES: [(&str, &str); 9] = [
     ("report.html", include_str!("../../templates/report.html")),
@@ -146,8 +145,7 @@ fn legend() -> Vec<(&'static str, &'static str)> {
         .into()
 }
 
-/// Writes the page in one step, because a browser may reload it at any time and two checks may
-/// finish at once. Other users can't read it, because it may show goldens that students don't have.
+/// Writes the page. See [`output`].
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
@@ -156,10 +154,5 @@ pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
         return std::fs::write(path, page);
     }
-    let mut beside = path.as_os_str().to_owned();
-    beside.push(format!(".{}", std::process::id()));
-    private_file(Path::new(&beside))?.write_all(page.as_bytes())?;
-    std::fs::rename(&beside, path).inspect_err(|_| {
-        let _already_failing = std::fs::remove_file(&beside);
-    })
+    output::write(path, page.as_bytes())
 }
