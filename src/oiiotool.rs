@@ -53,7 +53,9 @@ impl Oiiotool {
                 [library.join("site-packages").join(&own), library.join(own)]
             });
         let path = env::var_os("PATH").unwrap_or_default();
+        // A relative folder would be one in the current folder, which may be a student's.
         let on_path = env::split_paths(&path)
+            .filter(|folder| folder.is_absolute())
             .map(|folder| folder.join(&name))
             .collect::<Vec<_>>();
         let binary = named

@@ -11,6 +11,7 @@ use serde::Deserialize;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::progress::Progress;
+use crate::rust_tool::programs;
 use crate::seed::Seed;
 
 /// The folder of the Python environment.
@@ -67,12 +68,13 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
 }
 
 /// The system's Python.
-fn system_python() -> Result<&'static str> {
-    let runs = |name: &&str| {
-        let version = Command::new(name).arg("--version").output();
+fn system_python() -> Result<PathBuf> {
+    let runs = |program: &PathBuf| {
+        let version = Command::new(program).arg("--version").output();
         version.is_ok_and(|output| output.status.success())
     };
-    ["python3", "python"].into_iter().find(runs).ok_or_else(|| {
+    let mut all = ["python3", "python"].into_iter().flat_map(programs);
+    all.find(runs).ok_or_else(|| {
         Error::environment("there is no Python here", "install Python 3.11 or newer")
     })
 }

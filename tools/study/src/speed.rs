@@ -9,6 +9,8 @@ use std::env;
 use std::process::Command;
 use std::time::Duration;
 
+use pinhole_course::rust_tool::programs;
+
 pub use crate::contestants::Workload;
 use crate::family::{Family, HasFamilies, questions, steps};
 use crate::question::{Class, Data, Question};
@@ -101,7 +103,7 @@ pub const DONE: &str = "cast\n";
 /// difference. This excludes start-up and set-up.
 pub fn instructions(what: &str, way: usize, rays: usize) -> Option<f64> {
     let with = |casts: u32| {
-        let mut valgrind = Command::new("valgrind");
+        let mut valgrind = Command::new(programs("valgrind").next()?);
         valgrind.args(["--tool=callgrind", "--callgrind-out-file=/dev/null"]);
         valgrind.arg(env::current_exe().ok()?);
         valgrind.args(["cast", what, &way.to_string(), &casts.to_string()]);

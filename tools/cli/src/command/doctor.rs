@@ -8,7 +8,7 @@ use pinhole_course::checkout::Checkout;
 use pinhole_course::error::Result;
 use pinhole_course::handout_record::HandoutRecord;
 use pinhole_course::mitsuba;
-use pinhole_course::rust_tool::rust_tool;
+use pinhole_course::rust_tool::{rust_tool, tool};
 use pinhole_course::sandbox::{Choice, Sandbox, has_landlock};
 use pinhole_report::escape::printable;
 use pinhole_report::program::Status;
@@ -70,7 +70,7 @@ const ENOUGH_SPACE: f64 = 2.0;
 pub fn run(checkout: &Checkout, arguments: &Doctor) -> Result<Status> {
     let mut findings = vec![
         rust(checkout.root()),
-        linker(),
+        linker(checkout.root()),
         space(checkout.root()),
         browser(),
     ];
@@ -137,7 +137,7 @@ fn is_at_least(version: &str, wanted: &str) -> bool {
     numbers(version) >= numbers(wanted)
 }
 
-fn linker() -> Finding {
+fn linker(root: &Path) -> Finding {
     let remedy = match env::consts::OS {
         "macos" => "run `xcode-select --install`",
         "windows" => "install the C++ build tools of Visual Studio",
@@ -146,7 +146,7 @@ fn linker() -> Finding {
     // Only rustc can find Visual Studio's linker.
     let found = match cfg!(windows) {
         true => Ok("not checked on Windows".into()),
-        false => first_line(Command::new("cc").arg("--version")),
+        false => first_line(tool("cc", root).arg("--version")),
     };
     Finding::required("linker", "to compile answers", found, remedy)
 }
@@ -174,7 +174,7 @@ fn space(root: &Path) -> Finding {
 
 /// Free space around a folder, in gigabytes.
 fn free_space(folder: &Path) -> std::result::Result<f64, String> {
-    let output = Command::new("df").arg("-Pk").arg(folder).output();
+    let output = tool("df", folder).arg("-Pk").arg(folder).output();
     let output = output.map_err(|error| format!("cannot start df: {error}"))?;
     let text = String::from_utf8_lossy(&output.stdout);
     let row = text.lines().nth(1).unwrap_or_default();
