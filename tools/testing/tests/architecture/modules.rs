@@ -79,8 +79,8 @@ const FOLDERS: [(&str, &[&str]); 8] = [
     (
         "tools/report/src",
         &[
-            "desktop", "escape", "passage", "program", "pictures", "finish", "cast", "terminal",
-            "json", "html",
+            "desktop", "escape", "output", "passage", "program", "pictures", "finish", "cast",
+            "terminal", "json", "html",
         ],
     ),
     (
