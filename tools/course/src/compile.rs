@@ -232,7 +232,7 @@ impl Compiler {
                         ..
                     } if !self.stops_when_late => Err(Error::environment(
                         why,
-                        "run this command again when the machine is less busy",
+                        "run this command again when the machine is less busy and has free space",
                     )),
                     built => {
                         let is_late = matches!(built, BuildResult::Refused { is_late: true, .. });

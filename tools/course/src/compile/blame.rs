@@ -26,6 +26,16 @@ pub fn has_error(diagnostics: &[Diagnostic]) -> bool {
         .any(|diagnostic| diagnostic.level == "error")
 }
 
+/// Whether the compiler or the linker had no room for its files. The text of a submission appears only
+/// in messages that point at it.
+pub fn has_no_space(diagnostics: &[Diagnostic]) -> bool {
+    // The linker maps its output into memory, and dies of a bus error if there is no space.
+    const SIGNS: [&str; 3] = ["No space left on device", "quota exceeded", "[Bus error]"];
+    let points_at_nothing = diagnostics.iter().filter(|it| it.spans.is_empty());
+    let mut all = points_at_nothing.map(|it| &it.rendered);
+    all.any(|text| SIGNS.iter().any(|sign| text.contains(sign)))
+}
+
 /// One message of the compiler.
 #[derive(Deserialize)]
 pub struct Diagnostic {
@@ -201,6 +211,25 @@ mod tests {
     use super::*;
     use crate::assignment::Assignment;
     use crate::checkout::Checkout;
+
+    #[test]
+    fn no_answer_is_to_blame_for_missing_space() {
+        let is_full = |rendered: &str, file: Option<&str>| {
+            let spans = file.map(|name| Span {
+                file_name: name.into(),
+            });
+            has_no_space(&[Diagnostic {
+                level: "error".into(),
+                rendered: rendered.into(),
+                spans: spans.into_iter().collect(),
+            }])
+        };
+        let text = "LLVM ERROR: IO failure on output stream: No space left on device";
+        assert!(is_full(text, None));
+        assert!(is_full("ld terminated with signal 7 [Bus error]", None));
+        assert!(!is_full(text, Some("src/sphere.rs")), "the answer says so");
+        assert!(!is_full("final link failed: File too large", None));
+    }
 
     #[test]
     fn answers_that_compile_together_the_second_time_are_not_blamed() {

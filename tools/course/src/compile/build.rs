@@ -41,9 +41,10 @@ pub enum BuildResult {
     },
     Refused {
         diagnostics: Vec<Diagnostic>,
-        /// Whether the compiler might have finished with more time.
+        /// Whether the compiler might finish at another time.
         is_late: bool,
-        /// See [`CommandResult::disturbed_by`].
+        /// What other than the sources is to blame, if anything. See
+        /// [`CommandResult::disturbed_by`].
         disturbed_by: Option<&'static str>,
     },
 }
@@ -124,10 +125,14 @@ pub fn build(
         return Ok(built);
     }
     fs::remove_dir_all(&fresh).or_fail(&failed)?;
+    let diagnostics = said(&finished);
+    let has_no_space = blame::has_no_space(&diagnostics);
     Ok(BuildResult::Refused {
-        diagnostics: said(&finished),
-        is_late: finished.is_late(),
-        disturbed_by: finished.disturbed_by(),
+        is_late: finished.is_late() || has_no_space,
+        disturbed_by: finished
+            .disturbed_by()
+            .or(has_no_space.then_some("no space was left for the files of the compiler")),
+        diagnostics,
     })
 }
 

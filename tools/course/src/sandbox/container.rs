@@ -136,6 +136,8 @@ impl Container {
     /// See [`Sandbox::compiler`](super::Sandbox::compiler).
     pub fn compiler(&self, folder: &Path, harness: &Path, limits: &Limits) -> io::Result<Command> {
         let out = folder.join("out");
+        // Keeps other submissions from looking inside.
+        fs::set_permissions(folder, Permissions::from_mode(0o700))?;
         chown(folder, Some(self.uid()), Some(self.uid()))?;
         chown(&out, Some(self.uid()), Some(self.uid()))?;
         let mut command = self.confined(limits, Purpose::Compile);
