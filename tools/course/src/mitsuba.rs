@@ -67,6 +67,11 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
     complete(&mut pip, "install Mitsuba and oiiotool")
 }
 
+/// Python's flags for one of our scripts, which imports modules beside it. The variable `PYTHONPATH`
+/// may name the current folder, which may be a student's, so it is ignored. Nothing is written
+/// beside the script.
+const OWN_MODULES: [&str; 2] = ["-E", "-B"];
+
 /// The system's Python.
 fn system_python() -> Result<PathBuf> {
     let runs = |program: &PathBuf| {
@@ -109,7 +114,7 @@ pub fn fingerprints(
     );
     let python = system_python().map_err(|error| failed.because(error.problem))?;
     let mut command = Command::new(python);
-    command.arg(script).args(scenes);
+    command.args(OWN_MODULES).arg(script).args(scenes);
     match drawn {
         Some(QuestionSet::Public(assignment)) => command.arg("--questions").arg(assignment),
         Some(QuestionSet::Fresh(assignment)) => command.arg("--fresh").arg(assignment),
@@ -191,9 +196,9 @@ pub fn render(
         "install it again: cargo pinhole golden setup",
     );
     let mut child = Command::new(python)
+        .args(OWN_MODULES)
         .arg(scripts(checkout).join("golden.py"))
         .args(arguments)
-        .env("PYTHONDONTWRITEBYTECODE", "1")
         .envs(seed.map(|seed| ("PINHOLE_SEED", seed.to_string())))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())

@@ -45,10 +45,13 @@ impl TimeLine {
         keys.any(|(own, text)| own == kind && text == *key)
     }
 
-    /// Whether it has this person's id or number.
-    fn is_of(&self, person: &Person) -> bool {
-        let number = person.number.as_ref().map(|it| (TimeKey::Number, it));
-        self.has(&(TimeKey::Id, &person.id)) || number.is_some_and(|it| self.has(&it))
+    /// Whether it has a person's id or number, or a login that `other` doesn't have.
+    fn is_of(&self, person: &Person, other: &Person) -> bool {
+        let numbers = person.number.iter().map(|it| (TimeKey::Number, it));
+        let logins = person.logins.iter().filter(|it| !other.logins.contains(it));
+        let logins = logins.map(|it| (TimeKey::Login, it));
+        let mut keys = numbers.chain(logins).chain([(TimeKey::Id, &person.id)]);
+        keys.any(|key| self.has(&key))
     }
 
     /// What identifies the person.
@@ -75,6 +78,11 @@ impl ListedTime {
             said => said,
         }
     }
+}
+
+/// Whether these lines identify different people.
+fn are_of_several(lines: &[&TimeLine]) -> bool {
+    lines.iter().any(|line| line.person() != lines[0].person())
 }
 
 /// The last time on these lines. If there are several, we don't know which is meant, and nobody should
@@ -145,7 +153,12 @@ impl Policy {
         let of = |kind| self.lines(&given.map(|name| (kind, name)));
         let named = of(TimeKey::Submission);
         let Some(person) = person else {
-            return last(&named).or(|| last(&of(TimeKey::Id)));
+            let by_id = of(TimeKey::Id);
+            let is_known = by_id.is_empty() || named.iter().any(|line| by_id.contains(line));
+            return match !is_known && !named.is_empty() || are_of_several(&by_id) {
+                true => ListedTime::Contested(entry.name.clone()),
+                false => last(&named).or(|| last(&by_id)),
+            };
         };
         let signs = entry.signs.iter().filter_map(|sign| match sign {
             Sign::Account {
@@ -176,14 +189,12 @@ impl Policy {
         }
         let listed = self.lines(&keys);
         // On some platforms, people can type in anybody's id or address.
-        let is_others = |line: &&&TimeLine| {
-            let others = people.iter().filter(|other| other.id != person.id);
-            line.person() != listed[0].person() || others.into_iter().any(|it| line.is_of(it))
-        };
-        if let Some(other) = listed.iter().find(is_others)
-            && let Some((_, key)) = keys.iter().find(|key| other.has(key))
-        {
-            return last(&named).or(|| ListedTime::Contested((*key).clone()));
+        let mut others = people.iter().filter(|other| other.id != person.id);
+        let is_others = others.any(|other| listed.iter().any(|line| line.is_of(other, person)));
+        if is_others || are_of_several(&listed) {
+            let is_there = |key: &&(TimeKey, &String)| listed.iter().all(|line| line.has(key));
+            let key = keys.iter().find(is_there).unwrap_or(&keys[0]);
+            return last(&named).or(|| ListedTime::Contested(key.1.clone()));
         }
         // Nobody knows whose time it is that stands under a login of two people.
         let mut shared = shared.into_iter();

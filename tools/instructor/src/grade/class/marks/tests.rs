@@ -287,45 +287,70 @@ fn nobody_is_late_because_somebody_else_has_typed_in_their_id() {
     };
     let [id, login, submission] = [TimeKey::Id, TimeKey::Login, TimeKey::Submission];
     let entries = ["ada", "eve"].map(|id| entry(id, id, id)).to_vec();
-    let mut roll = roll(entries, RULES, &[]);
-    for person in roll.people.iter_mut().flatten() {
-        person.logins = vec![format!("{}@u.edu", person.id)];
-    }
-    roll.place();
     let records = records(&[("ada", 60), ("eve", 60)]);
-    let ada = line(&[(id, "ada"), (login, "ada@u.edu")], 20);
-    let without_id = line(&[(login, "ada@u.edu")], 20);
+    let ada = [(id, "ada"), (login, "ada@u.edu")];
+    let honest = [(id, "eve"), (login, "eve@u.edu")];
     // Ada is in time, if she is in the table. Eve is late, and has typed in something of Ada's.
-    for (ada, eve, listed) in [
-        (Some(&ada), &[(id, "eve"), (login, "eve@u.edu")][..], None),
+    for (has_roster, ada, eve, listed) in [
+        (true, &ada[..], &honest, None),
         (
-            Some(&ada),
+            true,
+            &ada,
             &[(id, "ada"), (login, "eve@u.edu")],
             Some("ada: ada"),
         ),
         (
-            Some(&without_id),
+            true,
+            &ada[1..],
             &[(id, "ada"), (login, "eve@u.edu")],
             Some("ada: ada"),
         ),
         (
-            None,
+            true,
+            &[],
+            &[(id, "ada"), (login, "eve@u.edu")],
+            Some("ada: ada"),
+        ),
+        (
+            true,
+            &[],
             &[(id, "eve"), (login, "ada@u.edu")],
             Some("ada: ada@u.edu"),
         ),
         (
-            Some(&ada),
+            true,
+            &ada,
+            &[(id, "eve"), (submission, "ada")],
+            Some("ada: ada"),
+        ),
+        (false, &ada, &honest, None),
+        (
+            false,
+            &ada,
+            &[(id, "ada"), (login, "eve@u.edu")],
+            Some("ada: ada"),
+        ),
+        (
+            false,
+            &ada,
             &[(id, "eve"), (submission, "ada")],
             Some("ada: ada"),
         ),
     ] {
+        let mut roll = roll(entries.clone(), RULES, &[]);
+        for person in roll.people.iter_mut().flatten() {
+            person.logins = vec![format!("{}@u.edu", person.id)];
+        }
+        roll.people = roll.people.filter(|_| has_roster);
+        roll.place();
         let policy = roll.policy.as_mut().expect("it has one");
-        policy.times = ada.into_iter().cloned().chain([line(eve, 25)]).collect();
+        policy.times = vec![line(ada, 20), line(eve, 25)];
         let rows = rows(&roll, &records);
-        assert_eq!(finals(&rows)[0].2, 60.0, "{eve:?}");
+        let marks = rows.own.iter().filter_map(|row| row.mark.as_ref());
+        assert_eq!(marks.map(|it| it.last).next(), Some(60.0), "{eve:?}");
         let grave = rows.concerns.iter().filter(|it| it.is_grave);
         let grave: Vec<&str> = grave.flat_map(|it| &it.which).map(|it| &**it).collect();
-        assert_eq!(grave.first().copied(), listed, "{eve:?}");
+        assert_eq!(grave.first().copied(), listed, "{has_roster} {eve:?}");
     }
 }
 
