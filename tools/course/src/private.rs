@@ -48,16 +48,20 @@ pub fn is_private(folder: &Path) -> bool {
 
 /// Whether a file or folder belongs to us or root, and nobody else can change it.
 pub fn is_ours(path: &Path) -> bool {
+    has_our_owner(path) && is_closed(path, 0o022)
+}
+
+/// Whether a file or folder belongs to us or root.
+#[cfg_attr(not(unix), expect(unused_variables))]
+pub fn has_our_owner(path: &Path) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
         let ours = [0, rustix::process::geteuid().as_raw()];
-        let is_ours = fs::metadata(path).is_ok_and(|it| ours.contains(&it.uid()));
-        if !is_ours {
-            return false;
-        }
+        fs::metadata(path).is_ok_and(|it| ours.contains(&it.uid()))
     }
-    is_closed(path, 0o022)
+    #[cfg(not(unix))]
+    true
 }
 
 /// Whether no other user can replace a file: it and each folder around it belong to us or root, and

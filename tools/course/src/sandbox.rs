@@ -380,7 +380,7 @@ impl Sandbox {
             silence: limits.silence,
             stop,
         };
-        let before = time_of_children();
+        let (asked_at, before) = (Instant::now(), time_of_children());
         // How long it was kept from running, and how long not.
         let times = Rc::new(Cell::new((Duration::ZERO, Duration::ZERO)));
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {
@@ -424,7 +424,7 @@ impl Sandbox {
             }
         }
         if let Ending::TimedOut(_) = reply.ending {
-            self.charge(starved > had);
+            self.charge(asked_at.elapsed() >= limits.wall && starved > had);
             if let Err(whole) = self.time_left() {
                 reply.ending = Ending::OutOfTime(whole);
             }

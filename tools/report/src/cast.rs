@@ -10,7 +10,7 @@ use crate::escape::printable;
 use pinhole::heat_map::{self, HeatScale};
 use pinhole::words::number;
 use pinhole::{Film, false_colour};
-use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::error::{Error, Result, ResultExt};
 use serde_json::{Value, json};
 
 use crate::output;
@@ -69,6 +69,12 @@ impl Cast {
         json: bool,
     ) -> Result<Status> {
         let path = out.join("film.exr");
+        if out.is_symlink() {
+            return Err(Error::input(
+                format!("{} is a link, which a student may have made", out.display()),
+                "name the folder that it leads to with --out",
+            ));
+        }
         fs::create_dir_all(out).or_input(
             format_args!("cannot write to {}", out.display()),
             "name another folder with --out",

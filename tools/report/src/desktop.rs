@@ -2,9 +2,16 @@
 
 use std::path::Path;
 
-/// Opens a file or an address, if there is a desktop.
+/// Opens a file or an address, if there is a desktop and nothing else would be started.
 pub fn open(what: impl AsRef<std::ffi::OsStr>) -> bool {
-    is_there() && open::that_detached(what).is_ok()
+    is_there() && has_absolute_path() && open::that_detached(what).is_ok()
+}
+
+/// Whether all folders in `PATH` are absolute. Others are folders in the current folder, which may be a
+/// student's, with programs named like the desktop's.
+fn has_absolute_path() -> bool {
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    std::env::split_paths(&path).all(|folder| folder.is_absolute())
 }
 
 fn is_there() -> bool {

@@ -155,6 +155,6 @@ mod tests {
         assert_eq!(budget.bound(limits), limits);
         budget.charge(false);
         assert_eq!(budget.bound(limits).cpu, seconds(9));
-        assert_eq!(budget.bound(limits).wall, seconds(20));
+        assert_eq!(budget.bound(limits).silence, seconds(20));
     }
 }

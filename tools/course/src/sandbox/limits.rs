@@ -103,12 +103,12 @@ impl Limits {
         }
     }
 
-    /// Limits of `cpu` seconds of the processor, on any number of cores. They never get shorter
-    /// than `shortest`, however much time a submission has lost.
+    /// Limits of `cpu` seconds of the processor, on any number of cores. Code that waits is ended by
+    /// the limit on silence. They never get shorter than `shortest`, however much time a submission
+    /// has lost.
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
-            wall: wall_of(cpu),
             silence: wall_of(cpu),
             idle: IDLE,
             shortest: shortest.max(SHORTEST),
@@ -120,7 +120,8 @@ impl Limits {
     pub fn shortened(self) -> Limits {
         Limits {
             cpu: self.cpu.min(self.shortest),
-            wall: self.wall.min(wall_of(self.shortest)),
+            wall: self.wall.min(self.shortest * BUSY),
+            silence: self.silence.min(wall_of(self.shortest)),
             ..self
         }
     }
@@ -178,18 +179,19 @@ mod tests {
     }
 
     #[test]
-    fn limits_of_the_processor_give_the_clock_twice_as_long_and_end_what_waits() {
+    fn limits_of_the_processor_allow_for_a_busy_machine_and_end_what_waits() {
         let (long, short) = (16 * SECOND, SECOND / 2);
         let limits = Limits::of_processor(long, short);
         let clock = 34 * SECOND;
         assert_eq!(
             (limits.cpu, limits.wall, limits.silence),
-            (long, clock, clock)
+            (long, 20 * long, clock)
         );
         assert_eq!(limits.idle, SECOND);
         // An answer may need this long for a task, whatever the submission has lost.
         assert_eq!(limits.shortest, SECOND);
-        assert_eq!(limits.shortened().cpu, SECOND);
+        let shortened = limits.shortened();
+        assert_eq!((shortened.cpu, shortened.silence), (SECOND, 4 * SECOND));
         assert_eq!(Limits::of_answers(long).shortened().cpu, SECOND);
     }
 }

@@ -64,7 +64,9 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         _ => {
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them, and leave out --shard";
-            replace::refuse_one_like_a_class(&arguments.paths, &earlier)?;
+            if roll.is_class {
+                replace::refuse_one_like_a_class(&arguments.paths, &earlier)?;
+            }
             replace::refuse_partial_class(&roll, &earlier, one)?;
             roll
         }

@@ -13,6 +13,7 @@ use serde_json::{Value, json};
 use super::Report;
 use super::cause::Cause;
 use crate::output;
+use pinhole_course::private::has_our_owner;
 
 const TEMPLATES: [(&str, &str); 9] = [
     ("report.html", include_str!("../../templates/report.html")),
@@ -152,7 +153,10 @@ pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     }
     // Never replace a pipe or a device with a file.
     if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
-        return std::fs::write(path, page);
+        return match has_our_owner(path) {
+            true => std::fs::write(path, page),
+            false => Err(std::io::Error::other("another user has made this pipe")),
+        };
     }
     output::write(path, page.as_bytes())
 }

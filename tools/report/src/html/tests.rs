@@ -262,4 +262,11 @@ fn other_users_cannot_read_a_report() {
     );
     let mode = path.metadata().expect("it is there").permissions().mode();
     assert_eq!(mode & 0o777, 0o600);
+    // Another user may read from a pipe of their own.
+    let socket = folder.path().join("socket");
+    let _listens = std::os::unix::net::UnixListener::bind(&socket).expect("there is room");
+    if std::os::unix::fs::chown(&socket, Some(12345), None).is_ok() {
+        let refused = page::write(&socket, "a golden").expect_err("it is not ours");
+        assert!(refused.to_string().contains("another user"), "{refused}");
+    }
 }

@@ -13,9 +13,12 @@ pub fn refuse_one_like_a_class(paths: &[PathBuf], earlier: &Path) -> Result<()> 
         return Ok(());
     };
     let is_one = |path: &&PathBuf| {
-        let name = path.file_name().map(|name| name.to_string_lossy());
-        let mut all = class.entries.iter();
-        name.is_some_and(|name| all.any(|it| [&*it.id, &*it.name].contains(&&*name)))
+        // The path may be `.`, or lead through a link.
+        let real = path.canonicalize().unwrap_or_default();
+        let names = [path.file_name(), real.file_name()].into_iter().flatten();
+        let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
+        let is = |own: &String| names.iter().any(|name| name == own);
+        class.entries.iter().any(|it| is(&it.id) || is(&it.name))
     };
     match paths.iter().find(is_one) {
         None => Ok(()),
@@ -221,9 +224,16 @@ mod tests {
         class.entries[0].name = "hw1-ada".into();
         let text = serde_json::to_string(&class).expect("it is JSON");
         fs::write(&earlier, text).expect("there is room");
-        for (path, is_refused) in [("clones/hw1-ada", true), ("ada/", true), ("clones", false)] {
-            let refused = refuse_one_like_a_class(&[path.into()], &earlier);
-            assert_eq!(refused.is_err(), is_refused, "{path}");
+        let own = folder.path().join("hw1-ada/part");
+        fs::create_dir_all(&own).expect("there is room");
+        for (path, is_refused) in [
+            ([PathBuf::from("clones/hw1-ada")], true),
+            (["ada/".into()], true),
+            ([own.join("..")], true),
+            (["clones".into()], false),
+        ] {
+            let refused = refuse_one_like_a_class(&path, &earlier);
+            assert_eq!(refused.is_err(), is_refused, "{path:?}");
         }
     }
 

@@ -155,7 +155,9 @@ impl Policy {
         let Some(person) = person else {
             let by_id = of(TimeKey::Id);
             let is_known = by_id.is_empty() || named.iter().any(|line| by_id.contains(line));
-            return match !is_known && !named.is_empty() || are_of_several(&by_id) {
+            // The members of a group have the same time.
+            let differ = are_of_several(&named) && named.iter().any(|it| it.at != named[0].at);
+            return match differ || !is_known && !named.is_empty() || are_of_several(&by_id) {
                 true => ListedTime::Contested(entry.name.clone()),
                 false => last(&named).or(|| last(&by_id)),
             };

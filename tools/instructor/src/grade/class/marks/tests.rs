@@ -289,6 +289,7 @@ fn nobody_is_late_because_somebody_else_has_typed_in_their_id() {
     let entries = ["ada", "eve"].map(|id| entry(id, id, id)).to_vec();
     let records = records(&[("ada", 60), ("eve", 60)]);
     let ada = [(id, "ada"), (login, "ada@u.edu")];
+    let named = [(id, "s1"), (submission, "ada")];
     let honest = [(id, "eve"), (login, "eve@u.edu")];
     // Ada is in time, if she is in the table. Eve is late, and has typed in something of Ada's.
     for (has_roster, ada, eve, listed) in [
@@ -324,6 +325,12 @@ fn nobody_is_late_because_somebody_else_has_typed_in_their_id() {
             Some("ada: ada"),
         ),
         (false, &ada, &honest, None),
+        (
+            false,
+            &named,
+            &[(id, "s2"), (submission, "ada")],
+            Some("ada: ada"),
+        ),
         (
             false,
             &ada,
