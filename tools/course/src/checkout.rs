@@ -108,12 +108,11 @@ impl Checkout {
             .or_fail(&Error::file(&path))
     }
 
-    /// Whether a folder is in the checkout. The user trusts the code there in any case.
+    /// Whether a folder is in the checkout, by its path without links. The user trusts the code there
+    /// in any case.
     pub fn contains(&self, folder: &Path) -> bool {
-        match (folder.canonicalize(), self.root.canonicalize()) {
-            (Ok(folder), Ok(root)) => folder.starts_with(root),
-            _ => false,
-        }
+        let root = self.root.canonicalize();
+        root.is_ok_and(|root| folder.starts_with(root))
     }
 }
 

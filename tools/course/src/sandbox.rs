@@ -134,8 +134,9 @@ pub fn has_landlock() -> bool {
 }
 
 impl Sandbox {
-    /// The sandbox that the user has chosen for the code in `folder`. The code must not
-    /// read the folders of `secrets`, nor the goldens and answers of the checkout.
+    /// The sandbox that the user has chosen for the code that was read from `folder`, a path without
+    /// links. The code must not read the folders of `secrets`, nor the goldens and answers of the
+    /// checkout.
     ///
     /// # Errors
     /// If this machine can't provide that sandbox. Code never runs unprotected instead.

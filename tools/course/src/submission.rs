@@ -22,6 +22,8 @@ use text::Text;
 pub struct Submission {
     /// The folder or ZIP file as the user named it.
     pub folder: PathBuf,
+    /// Where the answers were read, without links: a name may lead to another place a moment later.
+    pub read_from: PathBuf,
     /// The folder inside it that holds the answer files.
     pub place: PathBuf,
     /// One for each task, in the assignment's order. Then the answer of an earlier assignment, if
@@ -83,10 +85,11 @@ impl Submission {
 
     /// The submission in a folder or an archive; `None` if it holds no answer file.
     pub fn find_any(folder: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
-        if folder.is_file() {
-            return Submission::unpack(folder, assignment);
+        let read_from = folder.canonicalize().unwrap_or_default();
+        if read_from.is_file() {
+            return Submission::unpack(folder, read_from, assignment);
         }
-        if !folder.is_dir() {
+        if !read_from.is_dir() {
             return Err(Error::input(
                 format!("there is no folder {}", folder.display()),
                 "name the folder or ZIP file that holds the answer files",
@@ -98,7 +101,7 @@ impl Submission {
                 .iter()
                 .any(|task| place.join(task.file()).symlink_metadata().is_ok())
         };
-        let Some(place) = places(folder)?.into_iter().find(holds_any) else {
+        let Some(place) = places(&read_from)?.into_iter().find(holds_any) else {
             return Ok(None);
         };
         let mut answers = Vec::new();
@@ -112,11 +115,14 @@ impl Submission {
             let text = text::read(&place.join(examples_file(&task)))?;
             examples.push(Answer { task, text });
         }
+        let inside = place.strip_prefix(&read_from).unwrap_or(&place);
+        let named = folder.components().chain(inside.components());
         Ok(Some(Submission {
             folder: folder.into(),
             answers,
             examples,
-            place,
+            place: named.collect(),
+            read_from,
         }))
     }
 
@@ -170,8 +176,12 @@ impl Submission {
         self.place.is_dir().then(|| format!("{file}:{line}"))
     }
 
-    fn unpack(path: &Path, assignment: &Assignment) -> Result<Option<Submission>> {
-        let mut archive = archive::open(path)?;
+    fn unpack(
+        path: &Path,
+        read_from: PathBuf,
+        assignment: &Assignment,
+    ) -> Result<Option<Submission>> {
+        let mut archive = archive::open(&read_from)?;
         let holds_any = |place: &String| {
             let mut tasks = assignment.tasks.iter();
             tasks.any(|task| archive.holds(&format!("{place}{}", task.file())))
@@ -193,6 +203,7 @@ impl Submission {
             examples: examples.collect(),
             folder: path.into(),
             place: path.into(),
+            read_from,
         }))
     }
 
@@ -255,6 +266,29 @@ fn places(folder: &Path) -> Result<Vec<PathBuf>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[cfg(unix)]
+    #[test]
+    fn answers_are_not_trusted_because_their_name_leads_into_the_checkout_later() {
+        use std::os::unix::fs::symlink;
+
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let folder = tempfile::tempdir().unwrap();
+        let [own, link] = ["own/src", "link"].map(|name| folder.path().join(name));
+        fs::create_dir_all(&own).unwrap();
+        fs::write(own.join(assignment.tasks[0].file()), "").unwrap();
+        for (target, is_trusted) in [("own".into(), false), (assignment.reference(), true)] {
+            symlink(&target, &link).unwrap();
+            let submission = Submission::find(&link, &assignment).unwrap();
+            assert_eq!(submission.place, link.join("src"));
+            fs::remove_file(&link).unwrap();
+            symlink(assignment.handout(), &link).unwrap();
+            assert_eq!(checkout.contains(&submission.read_from), is_trusted);
+            fs::remove_file(&link).unwrap();
+        }
+    }
 
     #[test]
     fn only_the_answers_that_a_command_takes_by_itself_need_no_name() {

@@ -42,7 +42,7 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     let selection = selection(arguments, &assignment, &goldens)?;
     let submission = Submission::named_or(arguments.dir.as_deref(), &assignment)?;
     let sandbox = Sandbox::around(
-        &submission.folder,
+        &submission.read_from,
         checkout,
         arguments.run.sandbox.choice(),
         &arguments.golden.iter().cloned().collect::<Vec<_>>(),

@@ -47,7 +47,7 @@ pub fn run(checkout: &Checkout, arguments: &Explain) -> Result<Status> {
     }
     let submission = Submission::named_or(named, &assignment)?;
     let choice = arguments.run.sandbox.choice();
-    let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
+    let sandbox = Sandbox::around(&submission.read_from, checkout, choice, &[])?;
     let progress = Progress::new();
     progress.say("building");
     let program = compile(&submission, &assignment, checkout, &sandbox)?;

@@ -14,7 +14,7 @@ use notify::event::{AccessKind, AccessMode};
 use notify::{EventKind, RecommendedWatcher, RecursiveMode, Watcher};
 
 use super::{Course, Event};
-use pinhole_course::error::Result;
+use pinhole_course::error::{Error, Result};
 use pinhole_course::submission::{Answer, Submission};
 
 /// How often we poll without a notice.
@@ -108,6 +108,14 @@ fn look(course: &Course, seen: &Submission) -> Result<Submission> {
     let end = Instant::now() + GRACE;
     loop {
         let found = Submission::find(&seen.folder, &course.assignment);
+        // The sandbox was chosen for the place where the answers were.
+        let found = found.and_then(|now| match now.read_from == seen.read_from {
+            true => Ok(now),
+            false => Err(Error::input(
+                format!("{} leads to another place now", seen.folder.display()),
+                "start the command again",
+            )),
+        });
         let is_whole = |now: &Submission| !now.answers.iter().any(|now| is_half_saved(now, seen));
         if found.as_ref().is_ok_and(is_whole) || Instant::now() > end {
             return found;

@@ -36,7 +36,7 @@ impl CompiledSubmission {
     ) -> Result<CompiledSubmission> {
         let submission = Submission::named_or(named, assignment)?;
         let choice = options.sandbox.choice();
-        let sandbox = Sandbox::around(&submission.folder, checkout, choice, &[])?;
+        let sandbox = Sandbox::around(&submission.read_from, checkout, choice, &[])?;
         let progress = Progress::new();
         progress.say("building");
         let program = compile(&submission, assignment, checkout, &sandbox)?;

@@ -21,7 +21,8 @@ pub fn run(checkout: &Checkout, arguments: &Validate) -> Result<Status> {
     let fresh = fresh
         .map(|folder| Goldens::read(folder, &assignment))
         .transpose()?;
-    let sandbox = Sandbox::around(&assignment.folder, checkout, Choice::Auto, &[])?;
+    let folder = assignment.folder.canonicalize().unwrap_or_default();
+    let sandbox = Sandbox::around(&folder, checkout, Choice::Auto, &[])?;
     let second_judge = arguments
         .oiiotool
         .then(|| SecondJudge::find(checkout))

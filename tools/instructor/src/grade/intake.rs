@@ -293,6 +293,7 @@ pub fn without_answers(entry: &Entry, assignment: &Assignment) -> Submission {
     };
     Submission {
         folder: PathBuf::from(&entry.name),
+        read_from: PathBuf::from(&entry.name),
         place: PathBuf::from(&entry.name),
         answers: assignment.tasks.iter().map(answer).collect(),
         examples: assignment.with_examples().map(answer).collect(),

@@ -98,6 +98,7 @@ fn stub(validator: &Validator) -> Result<Submission> {
     });
     Ok(Submission {
         folder: validator.assignment.handout(),
+        read_from: validator.assignment.handout(),
         place: validator.assignment.handout().join("src"),
         answers: answers.collect(),
         examples: Vec::new(),

@@ -99,6 +99,7 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     let mut choice = Choice {
         submission: Submission {
             folder: PathBuf::from(name),
+            read_from: PathBuf::from(name),
             place: PathBuf::from(name),
             answers: Vec::new(),
             examples: Vec::new(),
