@@ -30,7 +30,21 @@ pub fn read(path: &Path) -> Result<Vec<Corners>, Error> {
     parse(&text, path)
 }
 
+/// What the goldens' reader takes for the end of a line, beside `\n` and `\r\n`.
+const OTHER_LINE_ENDS: [char; 9] = [
+    '\r', '\u{b}', '\u{c}', '\u{1c}', '\u{1d}', '\u{1e}', '\u{85}', '\u{2028}', '\u{2029}',
+];
+
 fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
+    let mut lines = (1..).zip(text.lines());
+    if let Some((number, _)) = lines.find(|(_, line)| line.contains(OTHER_LINE_ENDS)) {
+        return Err(Error::new(
+            path,
+            "not all programs agree that a line ends here",
+            "end each line with \\n or \\r\\n, and remove this character",
+        )
+        .at(number, 1));
+    }
     let text = corners_and_faces(text);
     if let Some(error) = absent_vertex(&text, path) {
         return Err(error);

@@ -167,6 +167,15 @@ fn error_points_at_a_line_that_is_not_obj() {
 }
 
 #[test]
+fn line_that_ends_for_some_programs_only_is_refused() {
+    // Python would read a face here.
+    for end in super::OTHER_LINE_ENDS {
+        let text = format!("{SQUARE}f 1 2 3\n# a mesh{end}f 1 2 4\n");
+        refused(&text, 6, "not all programs agree");
+    }
+}
+
+#[test]
 fn no_text_makes_the_reader_panic() {
     const WORDS: &[&str] = &[
         "v",
