@@ -30,18 +30,19 @@ pub fn read(path: &Path) -> Result<Vec<Corners>, Error> {
     parse(&text, path)
 }
 
-/// What the goldens' reader takes for the end of a line, beside `\n` and `\r\n`.
-const OTHER_LINE_ENDS: [char; 9] = [
-    '\r', '\u{b}', '\u{c}', '\u{1c}', '\u{1d}', '\u{1e}', '\u{85}', '\u{2028}', '\u{2029}',
+/// What the goldens' reader, in Python, takes for the end of a line or a word, but Rust does not.
+const ONLY_IN_PYTHON: [char; 10] = [
+    '\r', '\u{b}', '\u{c}', '\u{1c}', '\u{1d}', '\u{1e}', '\u{1f}', '\u{85}', '\u{2028}',
+    '\u{2029}',
 ];
 
 fn parse(text: &str, path: &Path) -> Result<Vec<Corners>, Error> {
     let mut lines = (1..).zip(text.lines());
-    if let Some((number, _)) = lines.find(|(_, line)| line.contains(OTHER_LINE_ENDS)) {
+    if let Some((number, _)) = lines.find(|(_, line)| line.contains(ONLY_IN_PYTHON)) {
         return Err(Error::new(
             path,
-            "not all programs agree that a line ends here",
-            "end each line with \\n or \\r\\n, and remove this character",
+            "not all programs agree where this line or its words end",
+            "use only spaces between words, and end each line with \\n or \\r\\n",
         )
         .at(number, 1));
     }

@@ -167,9 +167,9 @@ fn error_points_at_a_line_that_is_not_obj() {
 }
 
 #[test]
-fn line_that_ends_for_some_programs_only_is_refused() {
+fn line_that_programs_read_differently_is_refused() {
     // Python would read a face here.
-    for end in super::OTHER_LINE_ENDS {
+    for end in super::ONLY_IN_PYTHON {
         let text = format!("{SQUARE}f 1 2 3\n# a mesh{end}f 1 2 4\n");
         refused(&text, 6, "not all programs agree");
     }
