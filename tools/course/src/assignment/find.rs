@@ -1,7 +1,7 @@
 //! Finds the assignment that a user means, and reads its `assignment.toml`.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, is_separator};
 
 use serde::Deserialize;
 
@@ -51,12 +51,12 @@ impl Assignment {
     }
 
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        // Our own assignments come first. The current folder may be a student's, and the reference
-        // in an assignment's folder runs without a sandbox.
-        let is_own = names(checkout).iter().any(|own| own == name);
+        // A mere name is one of our own. The current folder may be a student's, and the reference in
+        // an assignment's folder runs without a sandbox.
+        let is_path = name.starts_with('.') || name.contains(is_separator);
         // The path must be absolute, because the goldens are found relative to a folder above it.
         let folder = Path::new(name).canonicalize().ok();
-        let folder = folder.filter(|folder| !is_own && folder.join("assignment.toml").is_file());
+        let folder = folder.filter(|folder| is_path && folder.join("assignment.toml").is_file());
         match folder
             .as_deref()
             .and_then(|folder| Some((folder, folder.file_name()?)))
@@ -76,7 +76,7 @@ impl Assignment {
         let text = fs::read_to_string(&path).or_input(
             format_args!("cannot read {}", path.display()),
             format!(
-                "name an assignment of this checkout: {}",
+                "name an assignment of this checkout ({}), or a folder by its path, such as ./NAME",
                 names(checkout).join(", ")
             ),
         )?;
@@ -177,4 +177,21 @@ fn names(checkout: &Checkout) -> Vec<String> {
         .collect();
     names.sort();
     names
+}
+
+#[cfg(test)]
+#[test]
+fn a_folder_of_the_current_folder_is_no_assignment_unless_its_path_is_given() {
+    let checkout = Checkout::find().unwrap();
+    let name = checkout.default_assignment().unwrap();
+    let own = Assignment::read(&checkout, &name).unwrap();
+    let folder = tempfile::Builder::new()
+        .prefix("mine")
+        .tempdir_in(".")
+        .unwrap();
+    let file = "assignment.toml";
+    fs::copy(own.folder.join(file), folder.path().join(file)).unwrap();
+    let name = folder.path().file_name().unwrap().to_str().unwrap();
+    let find = |name: &str| Assignment::find(&checkout, Some(name), Path::new(".")).is_ok();
+    assert!(!find(name) && find(&format!("./{name}")));
 }

@@ -126,7 +126,22 @@ pub fn find(
     let is_answer =
         |name: &str| is_wanted(name) || names::platforms(name).iter().any(|it| is_wanted(it.rest));
     let mut sources = Vec::new();
+    let mut intake = Intake::default();
     for path in paths {
+        // A link may be a student's, and lead to another's answers or to ours.
+        if path.components().collect::<PathBuf>().is_symlink() && path.exists() {
+            if paths.len() == 1 {
+                return Err(Error::input(
+                    format!(
+                        "{} is a link, which a student may have made",
+                        path.display()
+                    ),
+                    "pass the folder or the archive that it leads to",
+                ));
+            }
+            intake.ignored.push(format!("{} (a link)", path.display()));
+            continue;
+        }
         let mut source = Source {
             name: name(path),
             is_archive: path.is_file(),
@@ -139,7 +154,6 @@ pub fn find(
         sources.push(source);
     }
     let are_classes = sources.iter().all(Source::is_class);
-    let mut intake = Intake::default();
     let mut handed_in = Vec::new();
     for source in sources {
         if source.is_class() {

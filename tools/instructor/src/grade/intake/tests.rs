@@ -491,3 +491,24 @@ fn an_empty_archive_in_a_platforms_download_is_somebodys_submission() {
         ["no answer file was handed in, only `answers.zip`"]
     );
 }
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_no_submission() {
+    let folder = tempfile::tempdir().expect("there is room");
+    let [own, link] = ["1001", "1002"].map(|name| folder.path().join(name));
+    fs::create_dir(&own).expect("there is room");
+    fs::write(own.join("sphere.rs"), "").expect("there is room");
+    std::os::unix::fs::symlink("1001", &link).expect("there is room");
+    let linked = [link.clone(), link.join("")];
+    for path in &linked {
+        let refused = find(std::slice::from_ref(path), &assignment(), None);
+        assert!(
+            refused.is_err_and(|it| it.problem.contains("is a link")),
+            "{path:?}"
+        );
+    }
+    let [_, slash] = linked;
+    let found = find(&[own, slash], &assignment(), None).expect("one is a folder");
+    assert_eq!((found.entries.len(), found.ignored.len()), (1, 1));
+}
