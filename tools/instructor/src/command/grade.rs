@@ -54,8 +54,8 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let cache = ResultCache::open(out)?;
     let new: Vec<Entry> = roll.entries.clone();
     let earlier = cache.path(class::ROLL);
-    let roll = match (roll.is_class, arguments.shard) {
-        (false, None) if earlier.exists() => {
+    let roll = match (roll.classes.is_empty(), arguments.shard) {
+        (true, None) if earlier.exists() => {
             let class = Roll::read(&earlier)?;
             replace::refuse_chosen_names(&roll, &class)?;
             replace::refuse_other_rules(&roll, &class, true)?;
@@ -64,9 +64,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         _ => {
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them, and leave out --shard";
-            if roll.is_class {
-                replace::refuse_one_like_a_class(&arguments.paths, &earlier)?;
-            }
             replace::refuse_partial_class(&roll, &earlier, one)?;
             roll
         }
@@ -345,7 +342,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
             ..Placement::default()
         },
         ignored: intake.ignored,
-        is_class: intake.is_class,
+        classes: intake.classes,
         policy,
     };
     roll.place();

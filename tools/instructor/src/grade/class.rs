@@ -34,8 +34,9 @@ pub struct Roll {
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
-    /// Whether this is a class, or only single submissions that the user named.
-    pub is_class: bool,
+    /// The names of the folders and archives that the class is in. Empty if the user named only
+    /// single submissions.
+    pub classes: Vec<String>,
     /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,

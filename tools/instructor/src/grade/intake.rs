@@ -106,8 +106,8 @@ pub struct Intake {
     pub ignored: Vec<String>,
     /// Uploads that are not graded, and the entry with a later upload.
     pub superseded: BTreeMap<String, String>,
-    /// Whether there is a folder of submissions among the paths.
-    pub is_class: bool,
+    /// The names of the paths that are folders of submissions.
+    pub classes: Vec<String>,
 }
 
 /// Finds the submissions in some paths. Each path is a submission, or a folder of submissions.
@@ -157,10 +157,11 @@ pub fn find(
     let mut handed_in = Vec::new();
     for source in sources {
         if source.is_class() {
+            let name = source.name.clone();
             let (found, ignored) = source.of_class(are_classes);
             handed_in.extend(found);
             intake.ignored.extend(ignored);
-            intake.is_class = true;
+            intake.classes.push(name);
         } else {
             handed_in.push(source.whole());
         }

@@ -1,37 +1,10 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
-
-/// Refuses to replace a class by what is inside one submission, because its author chose that.
-/// `paths` are read as a class, and `earlier` is the roll of the class in the `--out` folder.
-pub fn refuse_one_like_a_class(paths: &[PathBuf], earlier: &Path) -> Result<()> {
-    let Ok(class) = Roll::read(earlier) else {
-        return Ok(());
-    };
-    let is_one = |path: &&PathBuf| {
-        // The path may be `.`, or lead through a link.
-        let real = path.canonicalize().unwrap_or_default();
-        let names = [path.file_name(), real.file_name()].into_iter().flatten();
-        let names: Vec<_> = names.map(|name| name.to_string_lossy()).collect();
-        let is = |own: &String| names.iter().any(|name| name == own);
-        class.entries.iter().any(|it| is(&it.id) || is(&it.name))
-    };
-    match paths.iter().find(is_one) {
-        None => Ok(()),
-        Some(path) => Err(Error::input(
-            format!(
-                "{} is named like a submission in the --out folder, but looks like a class",
-                path.display()
-            ),
-            "pass the folder inside it that holds this person's answers, renamed to this \
-             submission's name, or name another folder with --out",
-        )),
-    }
-}
 
 /// Refuses a class that lacks the policy or submissions of the class in the `--out` folder, whose
 /// roll is the file `earlier`. The user may have passed a folder with only one late submission, and
@@ -46,7 +19,8 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     let absent = class.entries.iter().filter(|it| !is_here(it));
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
-        return refuse_other_rules(roll, &class, false);
+        refuse_other_rules(roll, &class, false)?;
+        return refuse_other_names(roll, &class, earlier);
     }
     let mut some = absent[..absent.len().min(3)].join(", ");
     if absent.len() > 3 {
@@ -60,6 +34,29 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         format!("the --out folder has results for {count} now missing: {some}"),
         format!(
             "{instead}; to drop those that are missing, first delete {}",
+            earlier.display()
+        ),
+    ))
+}
+
+/// Refuses a class from another folder or archive, because that may be one person's upload, and hold
+/// work in the names of all.
+fn refuse_other_names(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
+    if roll.classes.is_empty() || roll.classes == class.classes {
+        return Ok(());
+    }
+    let old = match &class.classes[..] {
+        [] => "single submissions".to_owned(),
+        names => names.join(", "),
+    };
+    Err(Error::input(
+        format!(
+            "these submissions are in {}, but those in the --out folder were in {old}",
+            roll.classes.join(", ")
+        ),
+        format!(
+            "pass the same paths as before, or name another folder with --out; to replace the class, \
+             first delete {}",
             earlier.display()
         ),
     ))
@@ -213,37 +210,12 @@ mod tests {
     }
 
     #[test]
-    fn a_submission_that_looks_like_a_class_does_not_replace_the_class() {
-        let folder = tempfile::tempdir().expect("there is room");
-        let earlier = folder.path().join(ROLL);
-        let mut class = roll(
-            vec![entry("ada", "hw1-ada", "ada")],
-            "time_zone = 'UTC'",
-            &[],
-        );
-        class.entries[0].name = "hw1-ada".into();
-        let text = serde_json::to_string(&class).expect("it is JSON");
-        fs::write(&earlier, text).expect("there is room");
-        let own = folder.path().join("hw1-ada/part");
-        fs::create_dir_all(&own).expect("there is room");
-        for (path, is_refused) in [
-            ([PathBuf::from("clones/hw1-ada")], true),
-            (["ada/".into()], true),
-            ([own.join("..")], true),
-            (["clones".into()], false),
-        ] {
-            let refused = refuse_one_like_a_class(&path, &earlier);
-            assert_eq!(refused.is_err(), is_refused, "{path:?}");
-        }
-    }
-
-    #[test]
     fn a_folder_with_one_late_submission_does_not_replace_the_class() {
         let of = |ids: &[&str]| {
             let entries = ids.iter().map(|id| entry(id, id, id)).collect();
             let rules = "time_zone = 'UTC'";
             Roll {
-                is_class: true,
+                classes: vec!["class".into()],
                 ..roll(entries, rules, &[])
             }
         };
@@ -259,10 +231,10 @@ mod tests {
         let mut new = of(&["Ada", "ada.2", "bob"]);
         new.entries[1].name = "ada".into();
         refuse_partial_class(&new, &earlier, "pass paths").expect("all are here");
-        for is_class in [true, false] {
+        for classes in [vec!["class".into()], Vec::new()] {
             // A class may have been passed as a folder or as the paths of its submissions.
             let class = Roll {
-                is_class,
+                classes,
                 ..of(&["ada", "bob"])
             };
             let text = serde_json::to_string(&class).expect("it is JSON");
@@ -271,5 +243,15 @@ mod tests {
             let error = refused.expect_err("ada is absent").to_string();
             assert!(error.contains("now missing: ada"), "{error}");
         }
+        // Bob's upload holds work of everybody.
+        let mut new = of(&["ada", "bob"]);
+        refuse_partial_class(&new, &earlier, "pass paths").expect_err("it was no folder");
+        fs::write(&earlier, serde_json::to_string(&new).expect("it is JSON"))
+            .expect("there is room");
+        refuse_partial_class(&new, &earlier, "pass paths").expect("it is the same folder");
+        new.classes = vec!["bob".into()];
+        let refused = refuse_partial_class(&new, &earlier, "pass paths");
+        let error = refused.expect_err("it is another folder").to_string();
+        assert!(error.contains("are in bob, but"), "{error}");
     }
 }
