@@ -51,16 +51,14 @@ pub fn is_ours(path: &Path) -> bool {
     has_our_owner(path) && is_closed(path, 0o022)
 }
 
-/// Whether a file or folder belongs to us or root, and so does the link that leads to it, if any.
+/// Whether a file or folder belongs to us or root.
 #[cfg_attr(not(unix), expect(unused_variables))]
 pub fn has_our_owner(path: &Path) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
         let ours = [0, rustix::process::geteuid().as_raw()];
-        let all = [fs::metadata(path), fs::symlink_metadata(path)];
-        all.into_iter()
-            .all(|it| it.is_ok_and(|it| ours.contains(&it.uid())))
+        fs::metadata(path).is_ok_and(|it| ours.contains(&it.uid()))
     }
     #[cfg(not(unix))]
     true

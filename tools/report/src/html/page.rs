@@ -151,8 +151,10 @@ pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
     }
-    // Never replace a pipe or a device with a file.
-    if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
+    // Never replace a pipe or a device with a file. But replace a link to one, unless the system made
+    // it, as `/dev/stdout`.
+    let is_foreign = path.is_symlink() && !path.starts_with("/dev");
+    if path.metadata().is_ok_and(|metadata| !metadata.is_file()) && !is_foreign {
         return match has_our_owner(path) {
             true => std::fs::write(path, page),
             false => Err(std::io::Error::other("another user has made this pipe")),
