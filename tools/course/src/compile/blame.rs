@@ -29,7 +29,7 @@ pub fn has_error(diagnostics: &[Diagnostic]) -> bool {
 /// Whether the compiler or the linker had no room for its files. The text of a submission appears only
 /// in messages that point at it.
 pub fn has_no_space(diagnostics: &[Diagnostic]) -> bool {
-    // The linker maps its output into memory, and dies of a bus error if there is no space.
+    // If there is no space for its output, the linker ends with a bus error.
     const SIGNS: [&str; 3] = ["No space left on device", "quota exceeded", "[Bus error]"];
     let points_at_nothing = diagnostics.iter().filter(|it| it.spans.is_empty());
     let mut all = points_at_nothing.map(|it| &it.rendered);

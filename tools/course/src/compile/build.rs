@@ -141,7 +141,7 @@ pub fn build(
 fn make_folders(programs: &Path, fresh: &Path, needs_access: bool) -> io::Result<()> {
     let _left_by_a_killed_command = fs::remove_dir_all(fresh);
     fs::create_dir_all(fresh)?;
-    // Before there is a folder for the answers, because whoever enters that one can stay inside.
+    // Close it while it is empty. A user who has entered the folder of answers could stay there.
     make_private(fresh)?;
     match needs_access {
         true => allow(programs, 0o711)?,

@@ -172,8 +172,8 @@ impl ResultCache {
     }
 }
 
-/// Refuses the folder of a class if another user may have written the results in it. Whoever can change
-/// these files can choose marks. The folder itself may belong to another user: root in a container often
+/// Refuses the folder of a class if another user may have written the results in it, because these
+/// files decide the marks. The folder itself may belong to another user: root in a container often
 /// grades into a folder of the host.
 pub fn refuse_foreign(folder: &Path, instead: &str) -> Result<()> {
     for path in ["submissions", evidence::FOLDER, "fresh", ROLL].map(|name| folder.join(name)) {
