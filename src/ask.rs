@@ -25,10 +25,11 @@ use transport::Next;
 /// How long to wait for answers.
 #[derive(Clone, Debug)]
 pub struct Limit {
-    /// The limit for all answers together.
+    /// The limit for all answers together, by the submission's [`Clock`]. On the wall clock, it is
+    /// [`BUSY`] times as long.
     pub wall: Duration,
-    /// The limit for the time since the submission last sent anything, by a [`Clock`] of its
-    /// own. It ends an endless loop long before `wall` is over.
+    /// The limit for the time since the submission last sent anything, by its clock. It ends an
+    /// endless loop long before `wall` is over.
     pub silence: Duration,
     /// Raised when the answer is no longer needed.
     pub stop: Stop,
@@ -70,6 +71,9 @@ impl From<Duration> for Limit {
     }
 }
 
+/// A busy machine may give a program as little as a twentieth of its time.
+pub const BUSY: u32 = 20;
+
 /// How often a waiting exchange looks at its [`Stop`].
 const PULSE: Duration = Duration::from_millis(50);
 
@@ -97,7 +101,7 @@ pub fn ask(
 }
 
 /// Like [`ask`], but first passes the process id to `started`, so that the caller can
-/// watch the process and kill it. It returns the clock that measures silence.
+/// watch the process and kill it. It returns the clock for its limits.
 ///
 /// # Errors Like [`ask`].
 pub fn ask_watched(

@@ -8,18 +8,48 @@ use std::io;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
-use super::{Clock, Limit, PULSE, Stop};
+use super::{BUSY, Clock, Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::kind::TestResult;
 use crate::serve::ANSWER;
 #[cfg(unix)]
 use crate::serve::{STILL_AT, TEST_RESULT};
 
+/// When an exchange must end.
+struct Deadline {
+    start: Instant,
+    wall: Duration,
+    /// How long the submission's clock stood still.
+    stood_still: Duration,
+}
+
+impl Deadline {
+    fn after(wall: Duration) -> Deadline {
+        Deadline {
+            start: Instant::now(),
+            wall,
+            stood_still: Duration::ZERO,
+        }
+    }
+
+    /// The time until then, as far as it is known.
+    fn left(&self) -> Duration {
+        (self.wall + self.stood_still).saturating_sub(self.start.elapsed())
+    }
+
+    /// Puts it off by the time in which the clock stood still.
+    #[cfg(unix)]
+    fn put_off(&mut self, clock: &mut Clock) {
+        let stood_still = self.start.elapsed().saturating_sub(clock());
+        self.stood_still = stood_still.min(self.wall * (BUSY - 1));
+    }
+}
+
 /// A running submission and the connection to it.
 pub(super) struct Exchange {
     pub(super) child: Child,
     link: Link,
-    deadline: Instant,
+    deadline: Deadline,
     /// Only for answers through a socket. A file is read when it is complete.
     #[cfg_attr(not(unix), expect(dead_code))]
     silence: Duration,
@@ -49,7 +79,7 @@ type Link = std::path::PathBuf;
 impl Exchange {
     /// Whether its time is up.
     pub(super) fn is_late(&self) -> bool {
-        Instant::now() >= self.deadline
+        self.deadline.left().is_zero()
     }
 
     /// Returns a function that sends one byte to the submission. Call it only after the job is
@@ -80,7 +110,7 @@ impl Exchange {
         Ok(Exchange {
             child,
             link,
-            deadline: Instant::now() + limit.wall,
+            deadline: Deadline::after(limit.wall),
             silence: limit.silence,
             stop: limit.stop,
         })
@@ -96,7 +126,7 @@ impl Exchange {
     ) -> io::Result<()> {
         let mut timed = DeadlineStream {
             link: &self.link,
-            deadline: self.deadline,
+            deadline: &mut self.deadline,
             silence: self.silence,
             clock,
             stop: &self.stop,
@@ -119,7 +149,7 @@ impl Exchange {
     pub(super) fn still_at(&mut self, most: usize) -> Option<usize> {
         let mut stream = DeadlineStream {
             link: &self.link,
-            deadline: Instant::now() + 4 * PULSE,
+            deadline: &mut Deadline::after(4 * PULSE),
             silence: self.silence,
             clock: super::wall_clock(),
             stop: &self.stop,
@@ -161,7 +191,7 @@ impl Exchange {
         Ok(Exchange {
             child,
             link,
-            deadline: Instant::now() + limit.wall,
+            deadline: Deadline::after(limit.wall),
             silence: limit.silence,
             stop: limit.stop,
         })
@@ -187,7 +217,7 @@ impl Exchange {
         let mut late = false;
         while self.child.try_wait()?.is_none() && !late {
             std::thread::sleep(PULSE / 10);
-            late = Instant::now() > self.deadline || self.stop.is_raised();
+            late = self.is_late() || self.stop.is_raised();
         }
         if let Ok(file) = std::fs::File::open(&self.link) {
             let mut input = io::BufReader::new(file);
@@ -235,7 +265,7 @@ fn receive_all<R: io::Read>(
 #[cfg(unix)]
 struct DeadlineStream<'a> {
     link: &'a Link,
-    deadline: Instant,
+    deadline: &'a mut Deadline,
     silence: Duration,
     clock: Clock,
     stop: &'a Stop,
@@ -253,11 +283,15 @@ impl DeadlineStream<'_> {
         let mut since = None;
         let mut silent = Duration::ZERO;
         loop {
-            let left = self.deadline.saturating_duration_since(Instant::now());
+            if self.deadline.left().is_zero() {
+                self.deadline.put_off(&mut self.clock);
+            }
+            let left = self.deadline.left();
             if left.is_zero() || silent >= self.silence || self.stop.is_raised() {
                 return Err(io::ErrorKind::TimedOut.into());
             }
-            let pulse = left.min(PULSE).min(self.silence);
+            // While the clock stands still, there is always little time left.
+            let pulse = left.clamp(PULSE / 10, PULSE).min(self.silence);
             armed(arm(self.link, pulse))?;
             match work() {
                 Err(error) if super::is_timeout(&error) => {}

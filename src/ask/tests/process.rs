@@ -186,19 +186,23 @@ fn cancelled_submission_is_ended_long_before_its_time_limit() {
 }
 
 #[test]
-fn waiting_for_a_processor_is_not_silence() {
-    let answers = |clock: fn() -> Clock| {
+fn limits_do_not_count_waiting_for_a_processor_unless_it_takes_twenty_times_as_long() {
+    let answers = |clock: fn() -> Clock, wall, silence| {
         // As above, after a second.
         let miss = "sleep 1; printf '\\006\\000\\000\\000\\000\\000\\001\\000\\000\\000' >&0";
         let limit = Limit {
-            silence: SECOND / 5,
-            ..SOON.into()
+            silence,
+            ..Limit::from(wall)
         };
         let command = shell(&after_the_job(miss));
         let reply = ask_watched(command, &hits(1), limit, &mut |_| {}, &mut |_| clock());
         reply.unwrap().ending
     };
-    assert_eq!(answers(wall_clock), Ending::TimedOut(SECOND / 5));
-    let of_another_job = || -> Clock { Box::new(|| Duration::ZERO) };
-    assert_eq!(answers(of_another_job), Ending::Complete);
+    let waits = || -> Clock { Box::new(|| Duration::ZERO) };
+    let (short, shortest) = (SECOND / 5, SECOND / 40);
+    for (wall, silence) in [(SOON, short), (short, SOON)] {
+        assert_eq!(answers(wall_clock, wall, silence), Ending::TimedOut(short));
+        assert_eq!(answers(waits, wall, silence), Ending::Complete);
+    }
+    assert_eq!(answers(waits, shortest, SOON), Ending::TimedOut(shortest));
 }

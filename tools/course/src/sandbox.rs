@@ -39,7 +39,7 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use clap::ValueEnum;
-use pinhole::ask::{Clock, Ending, Limit, Reply, Stop, ask_watched};
+use pinhole::ask::{BUSY, Clock, Ending, Limit, Reply, Stop, ask_watched};
 use pinhole::job::Job;
 
 use crate::checkout::Checkout;
@@ -382,21 +382,20 @@ impl Sandbox {
             stop,
         };
         let (asked_at, before) = (Instant::now(), time_of_children());
-        // How long it was kept from running, and how long not.
-        let times = Rc::new(Cell::new((Duration::ZERO, Duration::ZERO)));
+        // How long it was kept from running.
+        let starved = Rc::new(Cell::new(Duration::ZERO));
         let asked = ask_watched(command, job, limit, progress, &mut |pid| {
             watch = Some(self.watch(pid, &limits));
-            let (mut clock, begun, times) = (own_clock(pid), Instant::now(), times.clone());
+            let (mut clock, begun, starved) = (own_clock(pid), Instant::now(), starved.clone());
             Box::new(move || {
                 let had = clock();
-                times.set((begun.elapsed().saturating_sub(had), had));
+                starved.set(begun.elapsed().saturating_sub(had));
                 had
             })
         });
         let exceeded = watch.and_then(Watch::stop);
-        let (starved, had) = times.get();
         if let Some(budget) = self.budget() {
-            budget.add_starved(starved);
+            budget.add_starved(starved.get());
         }
         self.sweep();
         let mut reply = asked?;
@@ -425,7 +424,7 @@ impl Sandbox {
             }
         }
         if let Ending::TimedOut(_) = reply.ending {
-            self.charge(asked_at.elapsed() >= limits.wall && starved > had);
+            self.charge(asked_at.elapsed() >= limits.wall * BUSY);
             if let Err(whole) = self.time_left() {
                 reply.ending = Ending::OutOfTime(whole);
             }

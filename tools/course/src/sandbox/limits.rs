@@ -13,9 +13,10 @@ use std::time::Duration;
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.
     pub cpu: Duration,
-    /// Time on the clock.
+    /// Time on the clock. For answers, the clock stands still while they get no processor, but at
+    /// most [`BUSY`](pinhole::ask::BUSY) times as long.
     pub wall: Duration,
-    /// Time on the clock between two answers, at most `wall`.
+    /// Time on the same clock between two answers, at most `wall`.
     pub silence: Duration,
     /// Time on the clock in which no thread of the tree runs or is ready to run, because it
     /// sleeps or waits. A tree is not idle just because the machine is busy.
@@ -76,13 +77,12 @@ impl Limits {
         }
     }
 
-    /// Limits for a built program that may take `time` to answer, on every core. Only the silence
-    /// between two answers counts, and it stands still while the program gets no processor, so
-    /// other work on this machine changes nothing.
+    /// Limits for a built program that may take `time` to answer, on every core.
     pub fn of_answers(time: Duration) -> Limits {
+        let cpu = time * cores() as u32 + Duration::from_secs(2);
         Limits {
-            cpu: time * cores() as u32 + Duration::from_secs(2),
-            wall: time * BUSY,
+            cpu,
+            wall: cpu,
             silence: time,
             idle: time,
             memory: ADDRESS_SPACE / 2,
@@ -93,8 +93,8 @@ impl Limits {
         }
     }
 
-    /// Like [`Limits::of_answers`], but for someone who waits for their own code. So `wall` is on
-    /// the clock, and an endless loop is noticed long before.
+    /// Like [`Limits::of_answers`], but for someone who waits for their own code. So an endless
+    /// loop is noticed long before `wall`.
     pub fn of_own_answers(wall: Duration) -> Limits {
         Limits {
             wall,
@@ -109,6 +109,7 @@ impl Limits {
     pub fn of_processor(cpu: Duration, shortest: Duration) -> Limits {
         Limits {
             cpu,
+            wall: wall_of(cpu),
             silence: wall_of(cpu),
             idle: IDLE,
             shortest: shortest.max(SHORTEST),
@@ -120,7 +121,7 @@ impl Limits {
     pub fn shortened(self) -> Limits {
         Limits {
             cpu: self.cpu.min(self.shortest),
-            wall: self.wall.min(self.shortest * BUSY),
+            wall: self.wall.min(wall_of(self.shortest)),
             silence: self.silence.min(wall_of(self.shortest)),
             ..self
         }
@@ -132,10 +133,7 @@ impl Limits {
 /// program that is sixty times slower needs less than half of the limit.
 const SILENCE: u32 = 15;
 
-/// When nobody waits, this machine may give a program as little as a twentieth of its time.
-const BUSY: u32 = 20;
-
-/// Doubles the time, because the machine may do other things as well.
+/// Doubles the time, because a program may also wait.
 fn wall_of(cpu: Duration) -> Duration {
     cpu * 2 + Duration::from_secs(2)
 }
@@ -156,8 +154,8 @@ mod tests {
         let time = 10 * SECOND;
         let limits = Limits::of_answers(time);
         assert_eq!((limits.silence, limits.idle), (time, time));
-        assert!(limits.wall > 10 * time);
         let cores = std::thread::available_parallelism().unwrap().get() as u32;
+        assert_eq!(limits.wall, limits.cpu);
         assert!(limits.cpu > time * cores && limits.cpu < (time + SECOND) * cores + 5 * SECOND);
         // The watchdog sees what is used before the kernel refuses more.
         assert!(limits.memory >= 1 << 30 && limits.memory < limits.address_space);
@@ -185,7 +183,7 @@ mod tests {
         let clock = 34 * SECOND;
         assert_eq!(
             (limits.cpu, limits.wall, limits.silence),
-            (long, 20 * long, clock)
+            (long, clock, clock)
         );
         assert_eq!(limits.idle, SECOND);
         // An answer may need this long for a task, whatever the submission has lost.

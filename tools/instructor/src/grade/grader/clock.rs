@@ -106,7 +106,7 @@ impl Pace {
         })
     }
 
-    /// How long a whole submission may take by the wall clock: also a hundred times what the
+    /// How long a whole submission may take by the clock: also a hundred times what the
     /// reference takes. This limit ends code that stays just below every other limit.
     pub fn whole(&self) -> Duration {
         (self.least * WHOLE).max(rounded(self.all * TIMES))
