@@ -17,7 +17,7 @@ use pinhole_course::assignment::Assignment;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::compile::compile;
 use pinhole_course::error::{Error, Result};
-use pinhole_course::examine::{self, Clock};
+use pinhole_course::examine::{self, Clock, Examiner, Selection};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::overlay;
 use pinhole_course::sandbox::{Limits, Sandbox, time_of_children};
@@ -49,6 +49,9 @@ impl Pace {
     /// Asks the reference everything that submissions will be asked. It is our own code and runs
     /// without a sandbox, so that the system can measure it. Nothing else may run at the same
     /// time.
+    ///
+    /// # Errors
+    /// If the reference fails anything, because then right answers would fail it, too.
     pub fn measure(
         assignment: &Assignment,
         goldens: &[&Goldens],
@@ -56,12 +59,8 @@ impl Pace {
         least: Duration,
     ) -> Result<Pace> {
         let sandbox = Sandbox::Trusted;
-        let program = compile(
-            &overlay::reference(assignment)?,
-            assignment,
-            checkout,
-            &sandbox,
-        )?;
+        let reference = overlay::reference(assignment)?;
+        let program = compile(&reference, assignment, checkout, &sandbox)?;
         let mut took: BTreeMap<String, Duration> = BTreeMap::new();
         let mut sum = Duration::ZERO;
         let mut measure = |what: &str, job: &Job| {
@@ -97,6 +96,28 @@ impl Pace {
             }
             for scene in &goldens.scenes {
                 measure(&scene.name, &goldens.cached_scene(scene)?.job)?;
+            }
+            let examiner = Examiner {
+                assignment,
+                goldens,
+                program: &program,
+                sandbox: &sandbox,
+                wall: WALL,
+                interactive: false,
+                second_judge: None,
+                clock: None,
+                withheld: &[],
+                known: None,
+                progress: &|_, _| {},
+            };
+            let outcome = examiner.examine(&reference, &Selection::default())?.outcome;
+            if let Some((task, name, _)) = outcome.films().find(|(_, _, film)| !film.passes()) {
+                let task = task.map_or(String::new(), |task| format!("{task}, "));
+                let folder = goldens.folder.display();
+                return Err(Error::environment(
+                    format!("the reference does not match the golden of {task}{name} in {folder}"),
+                    "render or draw these goldens again; if that does not help, report it",
+                ));
             }
         }
         Ok(Pace {

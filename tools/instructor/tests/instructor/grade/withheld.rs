@@ -304,3 +304,21 @@ fn changed_goldens_are_refused_for_grading() {
     }
     assert!(!class.folder.join("out/grades.csv").exists());
 }
+
+#[test]
+fn goldens_that_the_reference_fails_are_refused_for_grading() {
+    let class = Class::new("contradicted-goldens");
+    let assignment = small_assignment(&fresh(&trusted(), "contradicted"));
+    let plane = assignment.join("reference/src/plane.rs");
+    let right = fs::read_to_string(&plane).expect("it is there");
+    let wrong = right.replace("t >= min_t", "t >= 0.0");
+    assert_ne!(right, wrong, "the reference compares as this test expects");
+    fs::write(&plane, wrong).expect("writable");
+    let assignment = assignment.to_str().expect("a plain name");
+    let (ada, out) = (class.path("class/ada"), class.path("out"));
+    let names = ["grade", &ada, "--out", &out, "--assignment", assignment];
+    pinhole(&[&names[..], &["--no-fresh"]].concat())
+        .expect_code(3)
+        .expect_err("the reference does not match the golden of plane, min_t in ");
+    assert!(!class.folder.join("out/grades.csv").exists());
+}
