@@ -17,6 +17,8 @@ pub struct ResourceUsage {
     pub memory: u64,
     /// Whether any thread runs, is ready to run, or waits for a disk.
     pub is_busy: bool,
+    /// Whether any thread runs or is ready to run.
+    pub is_ready: bool,
     /// The longest time that a living thread was ready to run but got no processor.
     pub waited: Duration,
     /// How often all living threads together got a processor.
@@ -32,7 +34,10 @@ pub fn used_by(pid: u32) -> ResourceUsage {
     while let Some(pid) = found.pop() {
         ticks += ticks_of(pid).unwrap_or(0);
         used.memory += memory_of(pid).unwrap_or(0);
-        used.is_busy |= is_busy(pid);
+        for state in threads(pid).filter_map(|thread| Some(stat(&thread)?.swap_remove(0))) {
+            used.is_ready |= state == "R";
+            used.is_busy |= state == "R" || state == "D";
+        }
         for (waited, turns) in threads(pid).filter_map(|thread| turns_of(&thread)) {
             used.waited = used.waited.max(waited);
             used.turns += turns;
@@ -54,7 +59,7 @@ pub fn own_clock(pid: u32) -> Clock {
         // Threads that sleep most of the time may be awake whenever we look, so ask the kernel how
         // long they waited. The kernel adds up this time whenever a thread gets its turn. If no
         // thread had a turn, or the kernel doesn't count, we know only whether one is ready now.
-        let waited = match used.is_busy && used.turns == last.1.turns {
+        let waited = match used.is_ready && used.turns == last.1.turns {
             true => passed,
             false => passed.min(used.waited.saturating_sub(last.1.waited)),
         };
@@ -123,14 +128,6 @@ fn threads(pid: u32) -> impl Iterator<Item = PathBuf> {
     let threads = fs::read_dir(format!("/proc/{pid}/task"));
     let threads = threads.into_iter().flatten().flatten();
     threads.map(|thread| thread.path())
-}
-
-fn is_busy(pid: u32) -> bool {
-    let is_busy = |thread: PathBuf| {
-        let fields = stat(&thread);
-        fields.is_some_and(|fields| fields[0] == "R" || fields[0] == "D")
-    };
-    threads(pid).any(is_busy)
 }
 
 fn children(pid: u32) -> Vec<u32> {

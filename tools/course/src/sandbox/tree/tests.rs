@@ -121,9 +121,14 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
         start(starved),
         start("exec sleep 9"),
         start("kill -STOP $$"),
+        // It waits for its child in the state of a process that waits for a disk.
+        start("exec python3 -c 'import ctypes as c; l = c.CDLL(None); l.vfork() or l.sleep(9)'"),
     ];
+    while super::children(all[3].id()).is_empty() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
     all.extend([busy; 4].map(start));
-    let mut clocks = [&all[0], &all[1], &all[2]].map(|child| own_clock(child.id()));
+    let mut clocks = [&all[0], &all[1], &all[2], &all[3]].map(|child| own_clock(child.id()));
     let begin = Instant::now();
     while begin.elapsed() < Duration::from_secs(2) {
         std::thread::sleep(Duration::from_millis(50));
@@ -131,7 +136,7 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
             clock();
         }
     }
-    let [starved, asleep, stopped] = clocks.map(|mut clock| clock());
+    let [starved, asleep, stopped, waiting] = clocks.map(|mut clock| clock());
     for mut child in all {
         child.kill().expect("it can be ended");
         child.wait().expect("it can be waited for");
@@ -140,6 +145,7 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
     // Nobody keeps these from running.
     assert!(asleep > Duration::from_millis(1500), "{asleep:?}");
     assert!(stopped > Duration::from_millis(1500), "{stopped:?}");
+    assert!(waiting > Duration::from_millis(1500), "{waiting:?}");
 }
 
 #[test]
