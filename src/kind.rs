@@ -40,6 +40,7 @@ pub use ray_box::BoxQuestion;
 pub use soup::SoupQuestion;
 pub use tree::TreeQuestion;
 pub(crate) use tree_search::SearchLog;
+#[cfg(unix)]
 pub(crate) use tree_search::ask_tests_with;
 pub use tree_search::{SearchQuestion, Test, TestResult, TestResults};
 pub use viewing_ray::CameraQuestion;

@@ -109,6 +109,7 @@ impl FilmCopies {
         };
         // Not `recursive`: a folder of this name may belong to another process. Nobody else may
         // read goldens that students don't have.
+        #[cfg_attr(not(unix), expect(unused_mut))]
         let mut folder = fs::DirBuilder::new();
         #[cfg(unix)]
         std::os::unix::fs::DirBuilderExt::mode(&mut folder, 0o700);

@@ -5,12 +5,16 @@ use std::io::{self, Read, Write};
 use std::panic::{self, AssertUnwindSafe, PanicHookInfo};
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError, mpsc};
+#[cfg(unix)]
+use std::sync::{Arc, mpsc};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use rayon::prelude::*;
 
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
-use crate::kind::{self, AnswerFn, TestResult, WireAnswer};
+#[cfg(unix)]
+use crate::kind::{self, TestResult};
+use crate::kind::{AnswerFn, WireAnswer};
 
 /// The argument that makes a submission answer. If it is missing, a person has started the program.
 pub const ANSWER: &str = "answer";
@@ -108,6 +112,7 @@ impl Progress {
     /// No question has the last place that a number can hold.
     const IDLE: usize = usize::MAX;
 
+    #[cfg(unix)]
     fn new(job: &Job) -> Progress {
         let chunks = 0..job.len().div_ceil(CHUNK);
         Progress(chunks.map(|_| AtomicUsize::new(Self::IDLE)).collect())
@@ -138,9 +143,11 @@ pub(crate) const ENOUGH_OUTPUT: u8 = 1;
 pub(crate) const ENOUGH_ERRORS: u8 = 2;
 
 /// What the asker sends before the result of a test.
+#[cfg(unix)]
 pub(crate) const TEST_RESULT: u8 = 3;
 
 /// What the asker sends to learn which question is still being answered.
+#[cfg(unix)]
 pub(crate) const STILL_AT: u8 = 4;
 
 /// Ends this process when the asker is gone, even if the student's code loops forever. Once

@@ -8,7 +8,7 @@ use std::io;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
-use super::{BUSY, Clock, Limit, PULSE, Stop};
+use super::{Clock, Limit, PULSE, Stop};
 use crate::job::{self, Job, Message};
 use crate::kind::TestResult;
 use crate::serve::ANSWER;
@@ -41,7 +41,7 @@ impl Deadline {
     #[cfg(unix)]
     fn put_off(&mut self, clock: &mut Clock) {
         let stood_still = self.start.elapsed().saturating_sub(clock());
-        self.stood_still = stood_still.min(self.wall * (BUSY - 1));
+        self.stood_still = stood_still.min(self.wall * (super::BUSY - 1));
     }
 }
 

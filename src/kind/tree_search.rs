@@ -371,6 +371,7 @@ type AskTest = Box<dyn Fn(usize, Test) -> TestResult + Send + Sync>;
 static ASK_TEST: OnceLock<AskTest> = OnceLock::new();
 
 /// Says how this process asks for tests. Only the first call counts.
+#[cfg(unix)]
 pub(crate) fn ask_tests_with(ask: impl Fn(usize, Test) -> TestResult + Send + Sync + 'static) {
     let _already = ASK_TEST.set(Box::new(ask));
 }

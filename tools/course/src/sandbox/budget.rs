@@ -38,6 +38,7 @@ const COMPILING: u32 = 4;
 
 impl Budget {
     /// For a submission that begins now and may take `whole` in total.
+    #[cfg_attr(not(target_os = "linux"), expect(dead_code))]
     pub fn of(whole: Duration) -> Budget {
         Budget {
             whole: Some((Instant::now(), whole)),

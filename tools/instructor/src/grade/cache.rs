@@ -282,6 +282,7 @@ fn write_beside(path: &Path, content: &[u8]) -> Result<()> {
 }
 
 /// Makes what was renamed in a file's folder permanent.
+#[cfg_attr(not(unix), expect(unused_variables))]
 fn flush_folder(path: &Path) -> Result<()> {
     #[cfg(unix)]
     File::open(folder_of(path))
