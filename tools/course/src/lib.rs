@@ -21,6 +21,7 @@ pub mod mistake;
 pub mod mistake_films;
 pub mod mitsuba;
 pub mod outcome;
+pub mod output;
 pub mod overlay;
 pub mod private;
 pub mod progress;

@@ -1,7 +1,7 @@
 //! Files and folders that nobody else on the machine can read or lock, and some that others must
 //! read.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io;
 use std::path::Path;
 
@@ -41,17 +41,16 @@ pub fn is_private(folder: &Path) -> bool {
 
 /// Whether a file or folder belongs to us or root, and nobody else can change it.
 pub fn is_ours(path: &Path) -> bool {
-    has_our_owner(path) && is_closed(path, 0o022)
+    fs::metadata(path).is_ok_and(|it| has_our_owner(&it)) && is_closed(path, 0o022)
 }
 
 /// Whether a file or folder belongs to us or root.
 #[cfg_attr(not(unix), expect(unused_variables))]
-pub fn has_our_owner(path: &Path) -> bool {
+pub fn has_our_owner(about: &Metadata) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        let ours = [0, rustix::process::geteuid().as_raw()];
-        fs::metadata(path).is_ok_and(|it| ours.contains(&it.uid()))
+        [0, rustix::process::geteuid().as_raw()].contains(&about.uid())
     }
     #[cfg(not(unix))]
     true
@@ -64,10 +63,9 @@ pub fn is_irreplaceable(path: &Path) -> bool {
     #[cfg(unix)]
     {
         use std::os::unix::fs::MetadataExt;
-        let ours = [0, rustix::process::geteuid().as_raw()];
         let is_sticky = |it: &Path| {
             fs::metadata(it)
-                .is_ok_and(|it| it.is_dir() && it.mode() & 0o1000 != 0 && ours.contains(&it.uid()))
+                .is_ok_and(|it| it.is_dir() && it.mode() & 0o1000 != 0 && has_our_owner(&it))
         };
         path.ancestors().all(|it| is_ours(it) || is_sticky(it))
     }

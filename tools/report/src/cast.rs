@@ -1,7 +1,6 @@
 //! Writes a film and its pictures, and prints a summary.
 
 use std::fmt;
-use std::fs;
 use std::io;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
@@ -10,12 +9,12 @@ use crate::escape::printable;
 use pinhole::heat_map::{self, HeatScale};
 use pinhole::words::number;
 use pinhole::{Film, false_colour};
-use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::error::{Result, ResultExt};
 use serde_json::{Value, json};
 
-use crate::output;
 use crate::pictures;
 use crate::program::Status;
+use pinhole_course::output;
 
 /// What was cast, and by which submission.
 pub struct Cast {
@@ -69,16 +68,7 @@ impl Cast {
         json: bool,
     ) -> Result<Status> {
         let path = out.join("film.exr");
-        if out.is_symlink() {
-            return Err(Error::input(
-                format!("{} is a link, which a student may have made", out.display()),
-                "name the folder that it leads to with --out",
-            ));
-        }
-        fs::create_dir_all(out).or_input(
-            format_args!("cannot write to {}", out.display()),
-            "name another folder with --out",
-        )?;
+        output::make_folder(out)?;
         let bytes = self.film.to_bytes().map_err(io::Error::other);
         let written = bytes.and_then(|bytes| output::write(&path, &bytes));
         written.or_input(

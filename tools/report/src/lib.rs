@@ -9,7 +9,6 @@ pub mod escape;
 pub mod finish;
 pub mod html;
 pub mod json;
-mod output;
 pub mod passage;
 pub mod pictures;
 pub mod program;

@@ -8,8 +8,8 @@ use image::{ImageFormat, RgbImage};
 use pinhole::heat_map::HeatScale;
 use pinhole::{Film, false_colour};
 
-use crate::output;
 use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::output;
 
 /// Writes `id`, `depth` and `normal` pictures of a film of hits, with `prefix` before their names
 /// and these pixels `faded` (none if the list is empty). Returns their paths.

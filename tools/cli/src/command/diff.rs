@@ -1,6 +1,5 @@
 //! `pinhole diff`: asks both judges about a film by any renderer.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use pinhole::film::HIT_CHANNELS;
@@ -14,10 +13,11 @@ use crate::cli::Diff;
 use pinhole_course::assignment::ScenePoints;
 use pinhole_course::checkout::Checkout;
 use pinhole_course::diagnosis::Diagnosis;
-use pinhole_course::error::{Error, Result, ResultExt};
+use pinhole_course::error::{Error, Result};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::mitsuba;
 use pinhole_course::outcome::FilmOutcome;
+use pinhole_course::output;
 use pinhole_course::shell::PINHOLE;
 use pinhole_report::escape::{printable, printable_word};
 use pinhole_report::html::{self, Beliefs, Evidence, HeatMaps, Report, SubmittedRays};
@@ -64,8 +64,11 @@ pub fn run(checkout: &Checkout, arguments: &Diff) -> Result<Status> {
         _ => Diagnosis::default(),
     };
     let mut written = Vec::new();
-    if let (Some(folder), Ok(film)) = (&arguments.out, &film) {
-        written = draw(folder, &golden, film)?;
+    if let Some(folder) = &arguments.out {
+        output::make_folder(folder)?;
+        if let Ok(film) = &film {
+            written = draw(folder, &golden, film)?;
+        }
     }
     let mut report = None;
     if let Some(path) = report_path(arguments) {
@@ -233,10 +236,6 @@ fn draw(folder: &Path, golden: &Golden, film: &Film) -> Result<Vec<String>> {
     if !drawable(golden.film()) || !drawable(film) {
         return Ok(Vec::new());
     }
-    fs::create_dir_all(folder).or_input(
-        format_args!("cannot write to {}", folder.display()),
-        "name a folder you may write to",
-    )?;
     // Show t and not depth, because a film does not know its camera. The two are proportional.
     let range = false_colour::depth_range(golden.film(), 1.0);
     let mut written = Vec::new();

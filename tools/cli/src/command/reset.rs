@@ -1,6 +1,7 @@
 //! `pinhole reset`: replaces an answer with its stub and keeps the old text.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::json;
@@ -68,7 +69,9 @@ fn put(stub: &str, file: &Path) -> Result<Option<PathBuf>> {
     if let Some(backup) = &backup {
         fs::rename(file, backup).or_fail(&failed)?;
     }
-    fs::write(file, stub).or_fail(&failed)?;
+    // Another user may have put a link there meanwhile.
+    let mut new = File::create_new(file).or_fail(&failed)?;
+    new.write_all(stub.as_bytes()).or_fail(&failed)?;
     Ok(backup)
 }
 

@@ -1,6 +1,5 @@
 //! Packs the answers, and nothing else, into a ZIP file to hand in.
 
-use std::fs;
 use std::io::{Cursor, Write};
 use std::path::Path;
 
@@ -10,6 +9,7 @@ use zip::write::SimpleFileOptions;
 use super::Submission;
 use crate::assignment::Assignment;
 use crate::error::{Error, Result, ResultExt};
+use crate::output;
 
 impl Submission {
     /// Writes the answers and the examples to a ZIP file, and returns how many files they are.
@@ -19,7 +19,7 @@ impl Submission {
     /// If the path holds something else, or the file cannot be written.
     pub fn pack(&self, path: &Path, assignment: &Assignment) -> Result<usize> {
         let is_there = path.symlink_metadata().is_ok();
-        let is_ours = || path.is_file() && Submission::find(path, assignment).is_ok();
+        let is_ours = || !path.is_symlink() && Submission::find(path, assignment).is_ok();
         if is_there && !is_ours() {
             return Err(Error::input(
                 format!("{} already exists, and holds no answers", path.display()),
@@ -40,13 +40,15 @@ impl Submission {
             zip.write_all(text.as_bytes()).or_fail(&failed)?;
         }
         let bytes = zip.finish().or_fail(&failed)?.into_inner();
-        fs::write(path, bytes).or_fail(&failed)?;
+        output::write(path, &bytes).or_fail(&failed)?;
         Ok(files.len())
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::*;
     use crate::checkout::Checkout;
 
@@ -68,5 +70,11 @@ mod tests {
         fs::write(&notes, "mine").unwrap();
         assert!(submission.pack(&notes, &assignment).is_err());
         assert_eq!(fs::read_to_string(notes).unwrap(), "mine");
+        #[cfg(unix)]
+        {
+            let link = folder.path().join("link.zip");
+            std::os::unix::fs::symlink(&zip, &link).unwrap();
+            assert!(submission.pack(&link, &assignment).is_err());
+        }
     }
 }

@@ -12,8 +12,7 @@ use serde_json::{Value, json};
 
 use super::Report;
 use super::cause::Cause;
-use crate::output;
-use pinhole_course::private::has_our_owner;
+use pinhole_course::output;
 
 const TEMPLATES: [(&str, &str); 9] = [
     ("report.html", include_str!("../../templates/report.html")),
@@ -150,15 +149,6 @@ fn legend() -> Vec<(&'static str, &'static str)> {
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         std::fs::create_dir_all(folder)?;
-    }
-    // Never replace a pipe or a device with a file. But replace a link to one, unless the system made
-    // it, as `/dev/stdout`.
-    let is_foreign = path.is_symlink() && !path.starts_with("/dev");
-    if path.metadata().is_ok_and(|metadata| !metadata.is_file()) && !is_foreign {
-        return match has_our_owner(path) {
-            true => std::fs::write(path, page),
-            false => Err(std::io::Error::other("another user has made this pipe")),
-        };
     }
     output::write(path, page.as_bytes())
 }

@@ -48,6 +48,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
         &[
             "error",
             "private",
+            "output",
             "shell",
             "timings",
             "checkout",
@@ -79,8 +80,8 @@ const FOLDERS: [(&str, &[&str]); 8] = [
     (
         "tools/report/src",
         &[
-            "desktop", "escape", "output", "passage", "program", "pictures", "finish", "cast",
-            "terminal", "json", "html",
+            "desktop", "escape", "passage", "program", "pictures", "finish", "cast", "terminal",
+            "json", "html",
         ],
     ),
     (

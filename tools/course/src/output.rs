@@ -1,0 +1,109 @@
+//! Writes the files that a person asks for: reports, films, pictures and archives.
+//!
+//! Each is written in one step, because a browser may reload it at any time, and two commands may
+//! finish at once. Other users can't read it, because it may show goldens that students don't have.
+//! If there is a link in its place, the link is replaced, because a student may have handed it in.
+
+use std::fs::{self, File};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
+
+use crate::error::{Error, Result, ResultExt};
+use crate::private::has_our_owner;
+
+/// Writes a file, or replaces it. A pipe or a device is not replaced, but written to.
+///
+/// # Errors
+/// If its folder is missing or can't be written, or if another user has made the pipe.
+pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    if let Some(mut pipe) = pipe(path)? {
+        return pipe.write_all(bytes);
+    }
+    let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
+    let mut beside = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
+    beside.write_all(bytes)?;
+    beside.persist(path)?;
+    Ok(())
+}
+
+/// Opens a pipe or a device, if there is one in this place. Does not follow a link, unless the system
+/// made it, as `/dev/stdout`.
+fn pipe(path: &Path) -> io::Result<Option<File>> {
+    let is_of_system = path.starts_with("/dev") && !path.starts_with("/dev/shm");
+    let about = match is_of_system {
+        true => path.metadata(),
+        false => path.symlink_metadata(),
+    };
+    if !about.is_ok_and(|it| !it.is_file() && !it.is_dir() && !it.is_symlink()) {
+        return Ok(None);
+    }
+    let mut options = File::options();
+    options.write(true);
+    // Another user may have put a link there meanwhile.
+    #[cfg(unix)]
+    if !is_of_system {
+        std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NOFOLLOW);
+    }
+    let pipe = options.open(path)?;
+    match has_our_owner(&pipe.metadata()?) {
+        true => Ok(Some(pipe)),
+        false => Err(io::Error::other("another user has made this pipe")),
+    }
+}
+
+/// Makes a folder for such files, if it is missing.
+///
+/// # Errors
+/// If it is a link, or can't be made.
+pub fn make_folder(folder: &Path) -> Result<()> {
+    // With a slash at its end, the path would be that of what a link leads to.
+    let plain: PathBuf = folder.components().collect();
+    if plain.is_symlink() {
+        return Err(Error::input(
+            format!(
+                "{} is a link, which a student may have made",
+                folder.display()
+            ),
+            "name the folder that it leads to",
+        ));
+    }
+    fs::create_dir_all(folder).or_input(
+        format_args!("cannot write to {}", folder.display()),
+        "name a folder you may write to",
+    )
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+
+    use super::*;
+
+    #[test]
+    fn nothing_is_written_through_a_link_and_nobody_else_can_read_it() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let [victim, link] = ["victim", "link"].map(|name| folder.path().join(name));
+        fs::write(&victim, "kept").expect("there is room");
+        symlink(&victim, &link).expect("there is room");
+        write(&link, b"new").expect("there is room");
+        assert_eq!(fs::read(&victim).expect("it is there"), b"kept");
+        assert_eq!(fs::read(&link).expect("it is there"), b"new");
+        let mode = link.symlink_metadata().expect("it is there").permissions();
+        assert_eq!(mode.mode() & 0o777, 0o600);
+    }
+
+    #[test]
+    fn no_folder_is_written_through_a_link_however_its_name_ends() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let [victim, link] = ["victim", "link"].map(|name| folder.path().join(name));
+        make_folder(&victim.join("inside")).expect("there is room");
+        symlink(&victim, &link).expect("there is room");
+        for end in ["", "/", "/.", "//"] {
+            let named = format!("{}{end}", link.display());
+            let refused = make_folder(Path::new(&named)).expect_err("it is a link");
+            assert!(refused.problem.contains("is a link"), "{refused}");
+        }
+    }
+}
