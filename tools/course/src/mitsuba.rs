@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::io::{BufRead, BufReader};
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 use std::process::{Command, Stdio};
 
 use serde::Deserialize;
@@ -11,7 +11,7 @@ use serde::Deserialize;
 use crate::checkout::Checkout;
 use crate::error::{Error, Result, ResultExt};
 use crate::progress::Progress;
-use crate::rust_tool::programs;
+use crate::rust_tool::{in_folder, programs};
 use crate::seed::Seed;
 
 /// The folder of the Python environment.
@@ -38,7 +38,7 @@ pub fn python(checkout: &Checkout) -> Command {
 /// Makes the environment, or repairs it.
 pub fn setup(checkout: &Checkout) -> Result<()> {
     let environment = environment(checkout);
-    let python = system_python()?;
+    let mut venv = system_python(checkout)?;
     // After an upgrade of the system's Python, an old environment doesn't find its own
     // packages.
     let mut own_pip = Command::new(interpreter(&environment));
@@ -46,7 +46,6 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
         .args(["-I", "-c", "import pip"])
         .stderr(Stdio::null());
     if !own_pip.status().is_ok_and(|status| status.success()) {
-        let mut venv = Command::new(python);
         complete(
             venv.args(["-I", "-m", "venv", "--clear"]).arg(&environment),
             "make a Python environment",
@@ -72,14 +71,17 @@ pub fn setup(checkout: &Checkout) -> Result<()> {
 /// beside the script.
 const OWN_MODULES: [&str; 2] = ["-E", "-B"];
 
-/// The system's Python.
-fn system_python() -> Result<PathBuf> {
+/// The system's Python, started in the folder of our scripts. If asdf has installed it, a file of the
+/// folder where it starts can name any program to run instead.
+fn system_python(checkout: &Checkout) -> Result<Command> {
+    let start = |program: PathBuf| in_folder(program, &scripts(checkout));
     let runs = |program: &PathBuf| {
-        let version = Command::new(program).arg("--version").output();
+        let version = start(program.clone()).arg("--version").output();
         version.is_ok_and(|output| output.status.success())
     };
     let mut all = ["python3", "python"].into_iter().flat_map(programs);
-    all.find(runs).ok_or_else(|| {
+    let found = all.find(runs).map(start);
+    found.ok_or_else(|| {
         Error::environment("there is no Python here", "install Python 3.11 or newer")
     })
 }
@@ -112,14 +114,21 @@ pub fn fingerprints(
         "cannot tell whether the golden scripts have changed",
         "install Python 3.11 or newer; if a script is missing or broken, restore it",
     );
-    let python = system_python().map_err(|error| failed.because(error.problem))?;
-    let mut command = Command::new(python);
-    command.args(OWN_MODULES).arg(script).args(scenes);
-    match drawn {
-        Some(QuestionSet::Public(assignment)) => command.arg("--questions").arg(assignment),
-        Some(QuestionSet::Fresh(assignment)) => command.arg("--fresh").arg(assignment),
-        None => &mut command,
-    };
+    let python = system_python(checkout);
+    let mut command = python.map_err(|error| failed.because(error.problem))?;
+    command.args(OWN_MODULES).arg(script);
+    for scene in scenes {
+        command.arg(absolute(scene).or_fail(&failed)?);
+    }
+    if let Some(drawn) = drawn {
+        let (option, assignment) = match drawn {
+            QuestionSet::Public(assignment) => ("--questions", assignment),
+            QuestionSet::Fresh(assignment) => ("--fresh", assignment),
+        };
+        command
+            .arg(option)
+            .arg(absolute(assignment).or_fail(&failed)?);
+    }
     let output = command.output().or_fail(&failed)?;
     serde_json::from_slice(&output.stdout)
         .map_err(|_| failed.because(String::from_utf8_lossy(&output.stderr).trim_end()))

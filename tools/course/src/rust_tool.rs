@@ -30,7 +30,8 @@ pub fn programs(name: &str) -> impl Iterator<Item = PathBuf> {
     in_path(&path, name).into_iter()
 }
 
-fn in_folder(program: PathBuf, folder: &Path) -> Command {
+/// A program, started in `folder`, which must be ours.
+pub fn in_folder(program: PathBuf, folder: &Path) -> Command {
     let mut command = Command::new(program);
     command.current_dir(folder);
     command

@@ -51,8 +51,10 @@ impl Assignment {
     }
 
     fn named(checkout: &Checkout, name: &str) -> Result<Assignment> {
-        // A mere name is one of our own. The current folder may be a student's, and the reference in
-        // an assignment's folder runs without a sandbox.
+        // A mere name is one of our own, even if the shell has put a slash at its end. The current
+        // folder may be a student's, and the reference in an assignment's folder runs without a
+        // sandbox.
+        let name = name.trim_end_matches(is_separator);
         let is_path = name.starts_with('.') || name.contains(is_separator);
         // The path must be absolute, because the goldens are found relative to a folder above it.
         let folder = Path::new(name).canonicalize().ok();
@@ -193,5 +195,5 @@ fn a_folder_of_the_current_folder_is_no_assignment_unless_its_path_is_given() {
     fs::copy(own.folder.join(file), folder.path().join(file)).unwrap();
     let name = folder.path().file_name().unwrap().to_str().unwrap();
     let find = |name: &str| Assignment::find(&checkout, Some(name), Path::new(".")).is_ok();
-    assert!(!find(name) && find(&format!("./{name}")));
+    assert!(!find(name) && !find(&format!("{name}/")) && find(&format!("./{name}")));
 }

@@ -3,9 +3,10 @@
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
+use std::process::Command;
 
 use pinhole_testing::{
-    RunResult, TASKS, fresh, fresh_goldens, pinhole, pinhole_with, root, trusted,
+    RunResult, TASKS, fresh, fresh_goldens, pinhole, pinhole_with, program_of, root, trusted,
 };
 
 fn plain(path: &Path) -> &str {
@@ -221,4 +222,29 @@ fn fresh_questions_are_not_made_where_others_can_read_them() {
     pinhole(&render)
         .expect_code(2)
         .expect_err("others on this machine can read");
+}
+
+#[test]
+fn python_is_started_in_no_folder_that_may_be_a_students() {
+    // As the programs of asdf: they run what a file of the current folder names.
+    let folder = tempfile::tempdir().expect("there is room");
+    let shims = folder.path().join("shims");
+    fs::create_dir(&shims).expect("there is room");
+    let (shim, mark) = (shims.join("python3"), folder.path().join("mark"));
+    let script = format!(
+        "#!/bin/sh\n[ -e .tool-versions ] && touch {}\nPATH=${{PATH#*:}} exec python3 \"$@\"\n",
+        mark.display()
+    );
+    fs::write(&shim, script).expect("there is room");
+    fs::set_permissions(&shim, fs::Permissions::from_mode(0o755)).expect("it is ours");
+    fs::write(folder.path().join(".tool-versions"), "python path:py").expect("there is room");
+    let path = std::env::var("PATH").expect("it is set");
+    let ran = Command::new(program_of("golden"))
+        .args(["golden", "verify"])
+        .current_dir(folder.path())
+        .env("PATH", format!("{}:{path}", shims.display()))
+        .output()
+        .expect("it starts");
+    assert!(ran.status.success(), "{ran:?}");
+    assert!(!mark.exists(), "Python was started in the current folder");
 }
