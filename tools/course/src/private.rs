@@ -1,25 +1,34 @@
 //! Files and folders that nobody else on the machine can read or lock, and some that others must
 //! read.
 
-use std::fs::{self, File, Metadata};
+use std::fs::{self, File, Metadata, OpenOptions};
 use std::io;
 use std::path::Path;
 
 /// A new file, or an old one that is emptied, that nobody else on the machine can read. An error if
-/// it is a link, which another user may have put there.
+/// it is a link, which another user may have put there. An old file may belong to another user, as
+/// the lock of a checkout may.
 pub fn private_file(path: &Path) -> io::Result<File> {
     let mut options = File::options();
-    options.write(true).create(true).truncate(true);
+    let file = private(options.create(true).truncate(true), path)?;
+    // An old file keeps its mode.
+    #[cfg(unix)]
+    file.set_permissions(std::os::unix::fs::PermissionsExt::from_mode(0o600))?;
+    Ok(file)
+}
+
+/// A new file that nobody else on the machine can read. An error if there is one already.
+pub fn new_private_file(path: &Path) -> io::Result<File> {
+    private(File::options().create_new(true), path)
+}
+
+fn private(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
     #[cfg(unix)]
     {
         use std::os::unix::fs::OpenOptionsExt;
         options.mode(0o600).custom_flags(libc::O_NOFOLLOW);
     }
-    let file = options.open(path)?;
-    // An old file keeps its mode.
-    #[cfg(unix)]
-    file.set_permissions(std::os::unix::fs::PermissionsExt::from_mode(0o600))?;
-    Ok(file)
+    options.write(true).open(path)
 }
 
 /// Makes a folder private, so that nobody else on the machine can look inside.

@@ -2,7 +2,7 @@
 //! old file is there or the new one.
 
 use std::fs::{self, File, TryLockError};
-use std::io::{Read, Seek, SeekFrom, Write};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 use super::evidence::{self, Evidence};
@@ -10,7 +10,7 @@ use super::intake::Entry;
 use super::record::Record;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::outcome::SCHEMA;
-use pinhole_course::private::{is_ours, make_private, private_file};
+use pinhole_course::private::{is_ours, make_private, new_private_file, private_file};
 use pinhole_course::shell::in_shell;
 use pinhole_report::escape::printable_json;
 
@@ -236,12 +236,12 @@ fn read(path: &Path) -> Option<Record> {
 const NOTE: &str = "<p role=\"note\">";
 
 /// Replaces a file by a copy of it, because a merge may have linked it to a file of a part.
-fn unshare(path: &Path) -> std::io::Result<()> {
-    replace(path, |beside| fs::copy(path, beside).map(drop))
+fn unshare(path: &Path) -> io::Result<()> {
+    replace(path, |new| io::copy(&mut File::open(path)?, new).map(drop))
 }
 
 /// Writes a note to the end of a report, replacing an earlier one.
-fn replace_note(report: &Path, note: &str) -> std::io::Result<()> {
+fn replace_note(report: &Path, note: &str) -> io::Result<()> {
     let mut file = File::options().read(true).write(true).open(report)?;
     let before_note = file.metadata()?.len().saturating_sub(2 * note.len() as u64);
     file.seek(SeekFrom::Start(before_note))?;
@@ -274,7 +274,7 @@ pub fn write(path: &Path, content: &[u8]) -> Result<()> {
 fn write_beside(path: &Path, content: &[u8]) -> Result<()> {
     let write = || {
         fs::create_dir_all(folder_of(path))?;
-        let mut file = private_file(&beside(path))?;
+        let mut file = new_beside(path)?;
         file.write_all(content)?;
         file.sync_all()
     };
@@ -293,7 +293,7 @@ fn flush_folder(path: &Path) -> Result<()> {
 
 /// Writes a file atomically, but without waiting for the disk. For files that can be made again.
 pub fn write_unflushed(path: &Path, content: &[u8]) -> Result<()> {
-    replace(path, |beside| private_file(beside)?.write_all(content)).or_fail(&cannot_write(path))
+    replace(path, |new| new.write_all(content)).or_fail(&cannot_write(path))
 }
 
 /// Puts a file in a second place, as a link, or as a copy where links don't work.
@@ -304,11 +304,17 @@ pub fn link(from: &Path, to: &Path) -> Result<()> {
 }
 
 /// Calls `make` to write a new version beside a file, and then puts it in place.
-fn replace(path: &Path, make: impl FnOnce(&Path) -> std::io::Result<()>) -> std::io::Result<()> {
-    let beside = beside(path);
-    fs::create_dir_all(folder_of(path))
-        .and_then(|()| make(&beside))
-        .and_then(|()| fs::rename(&beside, path))
+fn replace(path: &Path, make: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    fs::create_dir_all(folder_of(path))?;
+    make(&mut new_beside(path)?)?;
+    fs::rename(beside(path), path)
+}
+
+/// A private file for a new version. A stopped run may have left one, or another user may have put one
+/// there, to read and change what is written to it.
+fn new_beside(path: &Path) -> io::Result<File> {
+    let _absent = fs::remove_file(beside(path));
+    new_private_file(&beside(path))
 }
 
 /// The path of a file's new version.
@@ -347,6 +353,21 @@ mod tests {
             replace_note(&report, &note).expect("it is there");
             let now = fs::read_to_string(&report).expect("it is there");
             assert_eq!(now, format!("{page}{note}"));
+        }
+    }
+
+    #[test]
+    fn a_new_version_is_written_to_no_file_that_was_there() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let path = folder.path().join("grades.csv");
+        for write in [write, write_unflushed] {
+            fs::write(beside(&path), "").expect("there is room");
+            let theirs = folder.path().join("theirs");
+            let _first = fs::remove_file(&theirs);
+            fs::hard_link(beside(&path), &theirs).expect("there is room");
+            write(&path, b"marks").expect("there is room");
+            assert_eq!(fs::read(&path).expect("it is there"), b"marks");
+            assert_eq!(fs::read(&theirs).expect("it is there"), b"");
         }
     }
 
