@@ -54,6 +54,15 @@ impl TimeLine {
         keys.any(|key| self.has(&key))
     }
 
+    /// Whether it has an address, but none of a person whose addresses are known.
+    fn has_another_address(&self, person: &Person) -> bool {
+        let is_address = |it: &&String| it.contains('@');
+        let own: Vec<&String> = person.all_logins().filter(is_address).collect();
+        let logins = self.keys.iter().filter(|(kind, _)| *kind == TimeKey::Login);
+        let given: Vec<&String> = logins.map(|(_, text)| text).filter(is_address).collect();
+        !own.is_empty() && !given.is_empty() && !given.iter().any(|it| own.contains(it))
+    }
+
     /// What identifies the person.
     fn person(&self) -> Vec<&(TimeKey, String)> {
         let keys = self.keys.iter();
@@ -193,6 +202,7 @@ impl Policy {
         // On some platforms, people can type in anybody's id or address.
         let mut others = people.iter().filter(|other| other.id != person.id);
         let is_others = others.any(|other| listed.iter().any(|line| line.is_of(other, person)));
+        let is_others = is_others || listed.iter().any(|it| it.has_another_address(person));
         if is_others || are_of_several(&listed) {
             let is_there = |key: &&(TimeKey, &String)| listed.iter().all(|line| line.has(key));
             let key = keys.iter().find(is_there).unwrap_or(&keys[0]);
