@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -35,7 +36,7 @@ use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let roll = roll(arguments, &assignment)?;
+    let (mut roll, has_class) = roll(arguments, &assignment)?;
     let Some(out) = arguments.out.as_ref().filter(|_| !arguments.dry_run) else {
         return preview::print(&roll, &assignment, arguments.json);
     };
@@ -51,17 +52,22 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let fresh = arguments.fresh.as_ref().map(real).transpose()?;
     let folder = golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
+    replace::refuse_inside(&roll.passed, out)?;
     let cache = ResultCache::open(out)?;
-    let new: Vec<Entry> = roll.entries.clone();
     let earlier = cache.path(class::ROLL);
-    let roll = match (roll.classes.is_empty(), arguments.shard) {
-        (true, None) if earlier.exists() => {
-            let class = Roll::read(&earlier)?;
+    let is_added = !has_class && arguments.shard.is_none() && earlier.exists();
+    let class = is_added.then(|| Roll::read(&earlier)).transpose()?;
+    if let Some(class) = &class {
+        roll.take_ids_of(class);
+    }
+    let new: Vec<Entry> = roll.entries.clone();
+    let roll = match class {
+        Some(class) => {
             replace::refuse_chosen_names(&roll, &class)?;
             replace::refuse_other_rules(&roll, &class, true)?;
             roll.into_class(class)
         }
-        _ => {
+        None => {
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them, and leave out --shard";
             replace::refuse_partial_class(&roll, &earlier, one)?;
@@ -322,8 +328,8 @@ fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
     }
 }
 
-/// The submissions, and the people who handed them in.
-fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
+/// The submissions, the people who handed them in, and whether any path is a folder of submissions.
+fn roll(arguments: &Grade, assignment: &Assignment) -> Result<(Roll, bool)> {
     let policy = arguments.policy.as_ref();
     let policy = policy
         .map(|path| Policy::read(path, assignment))
@@ -334,6 +340,11 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         class::know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
+    let paths = arguments.paths.iter().map(|path| path.canonicalize());
+    let passed = paths.collect::<io::Result<_>>().or_input(
+        "cannot tell where the submissions are",
+        "pass paths that exist",
+    )?;
     let mut roll = Roll {
         entries: intake.entries,
         people,
@@ -342,9 +353,9 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
             ..Placement::default()
         },
         ignored: intake.ignored,
-        classes: intake.classes,
+        passed,
         policy,
     };
     roll.place();
-    Ok(roll)
+    Ok((roll, intake.has_class))
 }

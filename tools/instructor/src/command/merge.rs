@@ -224,7 +224,10 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
             continue;
         }
         let roll = Roll::read(&path)?;
-        if common.as_ref().is_some_and(|common| *common != roll) {
+        if common
+            .as_ref()
+            .is_some_and(|it| !it.has_same_submissions(&roll))
+        {
             return Err(Error::input(
                 format!(
                     "{} does not have the same submissions, roster and policy as the other parts",

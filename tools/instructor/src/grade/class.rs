@@ -6,7 +6,7 @@ pub mod replace;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
@@ -14,9 +14,9 @@ pub use super::cache::ROLL;
 
 use self::concern::Concern;
 use self::marks::Rows;
-use super::intake::Entry;
 use super::intake::placement::{self, Placement};
 use super::intake::roster::Person;
+use super::intake::{self, Entry};
 use super::policy::Policy;
 use super::policy::mark::Mark;
 use super::record::{Record, RecordSummary, TaskSummary};
@@ -34,9 +34,9 @@ pub struct Roll {
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
-    /// The names of the folders and archives that the class is in. Empty if the user named only
-    /// single submissions.
-    pub classes: Vec<String>,
+    /// The folders and archives that the user passed when the class was graded.
+    #[serde(default)]
+    pub passed: Vec<PathBuf>,
     /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
@@ -55,8 +55,38 @@ impl Roll {
         )
     }
 
+    /// Whether another roll has the same submissions, roster and policy. They may have been read from
+    /// other paths.
+    pub fn has_same_submissions(&self, other: &Roll) -> bool {
+        let passed = other.passed.clone();
+        let here = Roll {
+            passed,
+            ..self.clone()
+        };
+        here == *other
+    }
+
+    /// Gives single submissions the ids that submissions of their names have in a class, or else ids
+    /// that are free there.
+    pub fn take_ids_of(&mut self, class: &Roll) {
+        let mut old: Vec<&Entry> = class.entries.iter().collect();
+        let mut taken: BTreeSet<String> = old.iter().map(|it| it.id.to_lowercase()).collect();
+        let mut renamed = BTreeMap::new();
+        for entry in &mut self.entries {
+            let same = old.iter().position(|it| entry.replaces(it));
+            let id = match same {
+                Some(at) => old.remove(at).id.clone(),
+                None => intake::free_id(&entry.id, &mut taken),
+            };
+            renamed.insert(std::mem::replace(&mut entry.id, id.clone()), id);
+        }
+        for id in self.placed.superseded.values_mut() {
+            id.clone_from(&renamed[id]);
+        }
+    }
+
     /// Adds single submissions to the class that was graded into the same folder before. They
-    /// replace earlier ones of the same id or name, and all others stay.
+    /// replace earlier ones of the same name, and all others stay.
     pub fn into_class(self, mut class: Roll) -> Roll {
         let is_new = |entry: &Entry| self.entries.iter().any(|new| new.replaces(entry));
         class.entries.retain(|entry| !is_new(entry));

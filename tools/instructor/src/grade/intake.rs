@@ -23,7 +23,7 @@ pub mod task_names;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
@@ -75,10 +75,10 @@ fn not_read() -> std::result::Result<Submission, String> {
 }
 
 impl Entry {
-    /// Whether it is the same person's submission as one of an earlier run. Ids of names that differ
-    /// only in capitals depend on what else was handed in.
+    /// Whether it is the same person's submission as one of an earlier run. Ids don't tell, because
+    /// those of similar names depend on what else was handed in.
     pub fn replaces(&self, earlier: &Entry) -> bool {
-        self.id == earlier.id || self.name == earlier.name
+        file_names::stem(&self.name) == file_names::stem(&earlier.name)
     }
 
     /// What its author should know about how it was read.
@@ -106,8 +106,8 @@ pub struct Intake {
     pub ignored: Vec<String>,
     /// Uploads that are not graded, and the entry with a later upload.
     pub superseded: BTreeMap<String, String>,
-    /// The names of the paths that are folders of submissions.
-    pub classes: Vec<String>,
+    /// Whether any path is a folder of submissions.
+    pub has_class: bool,
 }
 
 /// Finds the submissions in some paths. Each path is a submission, or a folder of submissions.
@@ -129,7 +129,7 @@ pub fn find(
     let mut intake = Intake::default();
     for path in paths {
         // A link may be a student's, and lead to another's answers or to ours.
-        if path.components().collect::<PathBuf>().is_symlink() && path.exists() {
+        if is_link(path) && path.exists() {
             if paths.len() == 1 {
                 return Err(Error::input(
                     format!(
@@ -157,11 +157,10 @@ pub fn find(
     let mut handed_in = Vec::new();
     for source in sources {
         if source.is_class() {
-            let name = source.name.clone();
             let (found, ignored) = source.of_class(are_classes);
             handed_in.extend(found);
             intake.ignored.extend(ignored);
-            intake.classes.push(name);
+            intake.has_class = true;
         } else {
             handed_in.push(source.whole());
         }
@@ -188,14 +187,7 @@ fn entry(
     taken: &mut BTreeSet<String>,
     superseded: &mut BTreeMap<String, String>,
 ) -> Entry {
-    let mut id = plain(&one.name);
-    let base = id.clone();
-    let mut count = 2;
-    // On some systems, two folder names can't differ in capitals alone.
-    while !taken.insert(id.to_lowercase()) {
-        id = format!("{base}.{count}");
-        count += 1;
-    }
+    let id = free_id(&plain(&one.name), taken);
     superseded.extend(
         one.superseded
             .into_iter()
@@ -229,6 +221,15 @@ fn entry(
     entry
 }
 
+/// An id that nobody has, made from `wanted`. On some systems, two folder names can't differ in
+/// capitals alone.
+pub fn free_id(wanted: &str, taken: &mut BTreeSet<String>) -> String {
+    let others = (2..).map(|count| format!("{wanted}.{count}"));
+    let mut ids = std::iter::once(wanted.to_owned()).chain(others);
+    let free = ids.find(|id| taken.insert(id.to_lowercase()));
+    free.expect("only finitely many are taken")
+}
+
 /// The answer files without usable text, and why. Files with the same problem are named together.
 fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     let mut found: Vec<(&AnswerFileProblem, Vec<String>)> = Vec::new();
@@ -257,6 +258,25 @@ fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
         }
     };
     found.into_iter().map(in_words).collect()
+}
+
+/// Whether a path is a link, or is named like a folder in which a link has led us, as `.` may be.
+fn is_link(path: &Path) -> bool {
+    if path.file_name().is_some() {
+        return path.components().collect::<PathBuf>().is_symlink();
+    }
+    // The shell remembers the names by which we came here.
+    let here = std::env::current_dir().unwrap_or_default();
+    let typed = std::env::var_os("PWD").map(PathBuf::from);
+    let typed = typed.filter(|it| it.canonicalize().is_ok_and(|it| it == here));
+    let mut named = typed.unwrap_or(here);
+    for part in path.components() {
+        match part {
+            Component::ParentDir => drop(named.pop()),
+            part => named.push(part),
+        }
+    }
+    name(path) != text::name(named.file_name().unwrap_or_default().as_encoded_bytes())
 }
 
 /// A path's name, for people to read.

@@ -12,7 +12,9 @@ use std::sync::OnceLock;
 
 use serde_json::Value;
 
-use pinhole_testing::{RunResult, fresh, pinhole, root, small_assignment, submission, trusted};
+use pinhole_testing::{
+    RunResult, fresh, pinhole, program_of, ran, root, small_assignment, submission, trusted,
+};
 
 const BROKEN: &str = "fn oops( {";
 
@@ -317,6 +319,24 @@ fn an_endless_answer_is_asked_again_alone_and_costs_its_own_points_only() {
     for task in result["tasks"].as_array().expect("tasks") {
         let lost = task["points"] != task["possible"];
         assert_eq!(lost, task["name"] == "plane", "{task:#}");
+    }
+}
+
+#[test]
+fn a_folder_that_was_entered_through_a_link_is_not_graded_under_the_name_behind_it() {
+    let class = Class::new("entered");
+    let (theirs, link) = (
+        class.folder.join("late/.x/ada"),
+        class.folder.join("late/bob"),
+    );
+    fs::create_dir_all(&theirs).expect("there is room");
+    fs::write(theirs.join("sphere.rs"), BROKEN).expect("there is room");
+    std::os::unix::fs::symlink(&theirs, &link).expect("there is room");
+    for (typed, code) in [(&link, 2), (&theirs, 1)] {
+        let grade = ["grade", ".", "--dry-run", "--assignment", assignment()];
+        let mut command = Command::new(program_of("grade"));
+        command.args(grade).current_dir(typed).env("PWD", typed);
+        ran(command.output().expect("it starts")).expect_code(code);
     }
 }
 

@@ -1,10 +1,29 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::path::Path;
+use std::path::{Path, PathBuf, absolute};
 
 use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
+
+/// Refuses results inside a folder that is graded, because whoever filled that folder may have put
+/// results there.
+pub fn refuse_inside(passed: &[PathBuf], out: &Path) -> Result<()> {
+    let out = absolute(out).unwrap_or(out.into());
+    let mut existing = out.ancestors().filter_map(|it| it.canonicalize().ok());
+    let around = existing.next().unwrap_or_default();
+    match passed.iter().find(|path| around.starts_with(path)) {
+        None => Ok(()),
+        Some(path) => Err(Error::input(
+            format!(
+                "{} is inside {}, which is to be graded",
+                out.display(),
+                path.display()
+            ),
+            "name another folder with --out",
+        )),
+    }
+}
 
 /// Refuses a class that lacks the policy or submissions of the class in the `--out` folder, whose
 /// roll is the file `earlier`. The user may have passed a folder with only one late submission, and
@@ -20,7 +39,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
         refuse_other_rules(roll, &class, false)?;
-        return refuse_other_names(roll, &class, earlier);
+        return refuse_other_paths(roll, &class, earlier);
     }
     let mut some = absent[..absent.len().min(3)].join(", ");
     if absent.len() > 3 {
@@ -39,24 +58,21 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     ))
 }
 
-/// Refuses a class from another folder or archive, because that may be one person's upload, and hold
-/// work in the names of all.
-fn refuse_other_names(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
-    if roll.classes.is_empty() || roll.classes == class.classes {
+/// Refuses a class without the folders and archives that the class in the `--out` folder was read
+/// from, because it may be one person's upload, and hold work in the names of all.
+fn refuse_other_paths(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
+    let mut old = class.passed.iter();
+    let Some(lost) = old.find(|path| !roll.passed.contains(path)) else {
         return Ok(());
-    }
-    let old = match &class.classes[..] {
-        [] => "single submissions".to_owned(),
-        names => names.join(", "),
     };
     Err(Error::input(
         format!(
-            "these submissions are in {}, but those in the --out folder were in {old}",
-            roll.classes.join(", ")
+            "the class in the --out folder was read from {}, which was not passed now",
+            lost.display()
         ),
         format!(
-            "pass the same paths as before, or name another folder with --out; to replace the class, \
-             first delete {}",
+            "pass all paths that you passed before, or name another folder with --out; to replace \
+             the class, first delete {}",
             earlier.display()
         ),
     ))
@@ -163,9 +179,10 @@ mod tests {
             entry("ada.2", "ada", "ada"),
         ]);
         class.entries[1].name = "ada".into();
-        let alone = of(vec![entry("ada", "ada", "ada")]);
+        let mut alone = of(vec![entry("ada", "ada", "ada")]);
+        alone.take_ids_of(&class);
         let ids = alone.into_class(class).entries.into_iter().map(|it| it.id);
-        assert_eq!(ids.collect::<Vec<_>>(), ["Ada", "ada"]);
+        assert_eq!(ids.collect::<Vec<_>>(), ["Ada", "ada.2"]);
     }
 
     #[test]
@@ -200,13 +217,26 @@ mod tests {
             });
             roll(entries.collect(), "time_zone = 'UTC'", &[])
         };
+        // The id of one is the other's name, which is nobody's before it is handed in.
         let class = of(&[("Ada", "Ada"), ("ada.2", "ada"), ("ada.2.2", "ada.2")]);
-        let refused = refuse_chosen_names(&of(&[("ada.2", "ada.2")]), &class);
-        let refused = refused.expect_err("ada would be dropped").to_string();
-        assert!(refused.contains("ada.2, ada.2.2"), "{refused}");
-        // Two folders with the same name were passed before, and are now.
+        for count in [3, 2] {
+            let mut class = class.clone();
+            class.entries.truncate(count);
+            let mut new = of(&[("ada.2", "ada.2")]);
+            refuse_chosen_names(&new, &class).expect("it is nobody else's");
+            new.take_ids_of(&class);
+            assert_eq!(new.entries[0].id, "ada.2.2");
+            assert_eq!(new.into_class(class).entries.len(), 3);
+        }
+        // Two folders with the same name were passed before.
         let twins = of(&[("ada", "ada"), ("ada.2", "ada")]);
+        let mut again = twins.clone();
+        again.take_ids_of(&twins);
+        assert_eq!(again, twins);
         refuse_chosen_names(&twins, &twins).expect("both are here");
+        let refused = refuse_chosen_names(&of(&[("ada", "ada")]), &twins);
+        let refused = refused.expect_err("one would be dropped").to_string();
+        assert!(refused.contains("ada, ada.2"), "{refused}");
     }
 
     #[test]
@@ -215,7 +245,7 @@ mod tests {
             let entries = ids.iter().map(|id| entry(id, id, id)).collect();
             let rules = "time_zone = 'UTC'";
             Roll {
-                classes: vec!["class".into()],
+                passed: vec!["/hw1".into()],
                 ..roll(entries, rules, &[])
             }
         };
@@ -231,27 +261,31 @@ mod tests {
         let mut new = of(&["Ada", "ada.2", "bob"]);
         new.entries[1].name = "ada".into();
         refuse_partial_class(&new, &earlier, "pass paths").expect("all are here");
-        for classes in [vec!["class".into()], Vec::new()] {
-            // A class may have been passed as a folder or as the paths of its submissions.
-            let class = Roll {
-                classes,
-                ..of(&["ada", "bob"])
-            };
-            let text = serde_json::to_string(&class).expect("it is JSON");
-            fs::write(&earlier, text).expect("there is room");
-            let refused = refuse_partial_class(&of(&["bob"]), &earlier, "pass paths");
-            let error = refused.expect_err("ada is absent").to_string();
-            assert!(error.contains("now missing: ada"), "{error}");
-        }
-        // Bob's upload holds work of everybody.
+        let refused = refuse_partial_class(&of(&["bob"]), &earlier, "pass paths");
+        let error = refused.expect_err("ada is absent").to_string();
+        assert!(error.contains("now missing: ada"), "{error}");
+        // Bob's upload may hold work of everybody, and be named like the class.
         let mut new = of(&["ada", "bob"]);
-        refuse_partial_class(&new, &earlier, "pass paths").expect_err("it was no folder");
-        fs::write(&earlier, serde_json::to_string(&new).expect("it is JSON"))
-            .expect("there is room");
-        refuse_partial_class(&new, &earlier, "pass paths").expect("it is the same folder");
-        new.classes = vec!["bob".into()];
+        new.passed.push("/late/hw1".into());
+        refuse_partial_class(&new, &earlier, "pass paths").expect("it is the same folder and more");
+        new.passed.remove(0);
         let refused = refuse_partial_class(&new, &earlier, "pass paths");
         let error = refused.expect_err("it is another folder").to_string();
-        assert!(error.contains("are in bob, but"), "{error}");
+        assert!(error.contains("read from /hw1, which"), "{error}");
+    }
+
+    #[test]
+    fn results_are_not_written_into_a_folder_that_is_graded() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let root = folder.path().canonicalize().expect("it is there");
+        let class = root.join("class");
+        fs::create_dir_all(class.join("ada/grades")).expect("there is room");
+        let passed = [class.clone()];
+        for inside in ["ada/grades", "ada/new/grades", ".", "../class/new"] {
+            refuse_inside(&passed, &class.join(inside)).expect_err(inside);
+        }
+        for outside in ["../grades", "../class-grades"] {
+            refuse_inside(&passed, &class.join(outside)).expect("it is beside the class");
+        }
     }
 }

@@ -466,3 +466,31 @@ fn a_merge_takes_lateness_from_the_submission_that_was_graded() {
             .expect_out("late, but nothing says by how much");
     }
 }
+
+#[test]
+fn one_persons_upload_that_looks_like_the_class_does_not_replace_it() {
+    let class = Class::new("like-class");
+    let put = |path: &str| {
+        let folder = class.folder.join(path);
+        fs::create_dir_all(&folder).expect("there is room");
+        fs::write(folder.join("sphere.rs"), BROKEN).expect("there is room");
+        class.path(path)
+    };
+    let paths = [put("few/ada"), put("few/bob"), put("few/mal")];
+    fs::remove_file(class.folder.join("few/mal/sphere.rs")).expect("it was made");
+    let out = class.path("out");
+    let grade = |paths: &[&str]| {
+        on_small_assignment(&[&["grade", "--no-fresh", "--out", &out], paths].concat())
+    };
+    grade(&[&paths[0], &paths[1], &paths[2]]).expect_code(1);
+    for inside in ["ada", "bob", "mal"] {
+        put(&format!("late/mal/{inside}"));
+    }
+    grade(&[&class.path("late/mal")])
+        .expect_code(2)
+        .expect_err("which was not passed now");
+    let inside = class.path("few/ada/out");
+    on_small_assignment(&["grade", &paths[0], "--no-fresh", "--out", &inside])
+        .expect_code(2)
+        .expect_err("which is to be graded");
+}
