@@ -58,21 +58,36 @@ fn pipe(path: &Path) -> io::Result<Option<File>> {
 /// # Errors
 /// If it is a link, or can't be made.
 pub fn make_folder(folder: &Path) -> Result<()> {
-    // With a slash at its end, the path would be that of what a link leads to.
-    let plain: PathBuf = folder.components().collect();
-    if plain.is_symlink() {
-        return Err(Error::input(
-            format!(
-                "{} is a link, which a student may have made",
-                folder.display()
-            ),
-            "name the folder that it leads to",
-        ));
-    }
+    refuse_link(folder)?;
     fs::create_dir_all(folder).or_input(
         format_args!("cannot write to {}", folder.display()),
         "name a folder you may write to",
     )
+}
+
+/// Refuses a folder that is a link, or in which there is one.
+///
+/// # Errors
+/// If there is a link.
+pub fn refuse_links(folder: &Path) -> Result<()> {
+    refuse_link(folder)?;
+    let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.try_for_each(|entry| refuse_link(&entry.path()))
+}
+
+fn refuse_link(path: &Path) -> Result<()> {
+    // With a slash at its end, the path would be that of what a link leads to.
+    let plain: PathBuf = path.components().collect();
+    match plain.is_symlink() {
+        false => Ok(()),
+        true => Err(Error::input(
+            format!(
+                "{} is a link, which a student may have made",
+                path.display()
+            ),
+            "name a folder that is no link, and has none inside",
+        )),
+    }
 }
 
 #[cfg(all(test, unix))]
@@ -105,5 +120,8 @@ mod tests {
             let refused = make_folder(Path::new(&named)).expect_err("it is a link");
             assert!(refused.problem.contains("is a link"), "{refused}");
         }
+        refuse_links(&victim).expect("it holds a folder only");
+        refuse_links(folder.path()).expect_err("it holds a link");
+        refuse_links(&folder.path().join("absent")).expect("it will be made");
     }
 }

@@ -19,6 +19,7 @@ use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
 use pinhole_course::mitsuba::{self, RenderResult};
+use pinhole_course::output;
 use pinhole_course::private::{is_private, make_private};
 use pinhole_course::progress::Progress;
 use pinhole_course::run_options::AssignmentOption;
@@ -102,6 +103,9 @@ fn render(
 /// Refuses to replace the assignment's own films without `--force`, because every mark depends on
 /// them.
 fn refuse_unforced(assignment: &Assignment, arguments: &GoldenRender) -> Result<()> {
+    if let Some(out) = &arguments.out {
+        output::refuse_links(out)?;
+    }
     let own = assignment.golden();
     let folder = arguments.out.as_ref().unwrap_or(&own);
     let films = Manifest::read_or_new(folder)?.films;

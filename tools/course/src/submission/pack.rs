@@ -22,7 +22,10 @@ impl Submission {
         let is_ours = || !path.is_symlink() && Submission::find(path, assignment).is_ok();
         if is_there && !is_ours() {
             return Err(Error::input(
-                format!("{} already exists, and holds no answers", path.display()),
+                format!(
+                    "{} already exists, and is a link or holds no answers",
+                    path.display()
+                ),
                 "name another file with --pack",
             ));
         }
