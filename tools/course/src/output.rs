@@ -4,7 +4,7 @@
 //! finish at once. Other users can't read it, because it may show goldens that students don't have.
 //! If there is a link in its place, the link is replaced, because a student may have handed it in.
 
-use std::fs::{self, File};
+use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -28,15 +28,12 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     Ok(())
 }
 
-/// Opens a pipe or a device, if there is one in this place. Does not follow a link, unless the system
-/// made it, as `/dev/stdout`.
+/// Opens a pipe or a device, if there is one in this place. Follows only links that the system made,
+/// as `/dev/stdout`, even if they lead to a file.
 fn pipe(path: &Path) -> io::Result<Option<File>> {
     let is_of_system = path.starts_with("/dev") && !path.starts_with("/dev/shm");
-    let about = match is_of_system {
-        true => path.metadata(),
-        false => path.symlink_metadata(),
-    };
-    if !about.is_ok_and(|it| !it.is_file() && !it.is_dir() && !it.is_symlink()) {
+    let is_pipe = |it: Metadata| !it.is_file() && !it.is_dir() && !it.is_symlink();
+    if !is_of_system && !path.symlink_metadata().is_ok_and(is_pipe) {
         return Ok(None);
     }
     let mut options = File::options();
@@ -47,7 +44,7 @@ fn pipe(path: &Path) -> io::Result<Option<File>> {
         std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NOFOLLOW);
     }
     let pipe = options.open(path)?;
-    match has_our_owner(&pipe.metadata()?) {
+    match is_of_system || has_our_owner(&pipe.metadata()?) {
         true => Ok(Some(pipe)),
         false => Err(io::Error::other("another user has made this pipe")),
     }

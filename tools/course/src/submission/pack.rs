@@ -1,5 +1,6 @@
 //! Packs the answers, and nothing else, into a ZIP file to hand in.
 
+use std::fs::Metadata;
 use std::io::{Cursor, Write};
 use std::path::Path;
 
@@ -18,9 +19,10 @@ impl Submission {
     /// # Errors
     /// If the path holds something else, or the file cannot be written.
     pub fn pack(&self, path: &Path, assignment: &Assignment) -> Result<usize> {
-        let is_there = path.symlink_metadata().is_ok();
-        let is_ours = || !path.is_symlink() && Submission::find(path, assignment).is_ok();
-        if is_there && !is_ours() {
+        let there = path.symlink_metadata();
+        let is_ours =
+            |about: &Metadata| about.is_file() && Submission::find(path, assignment).is_ok();
+        if there.is_ok_and(|about| !is_ours(&about)) {
             return Err(Error::input(
                 format!(
                     "{} already exists, and is a link or holds no answers",
