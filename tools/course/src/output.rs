@@ -32,9 +32,17 @@ pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 /// as `/dev/stdout`, even if they lead to a file.
 fn pipe(path: &Path) -> io::Result<Option<File>> {
     let is_of_system = path.starts_with("/dev") && !path.starts_with("/dev/shm");
-    let is_pipe = |it: Metadata| !it.is_file() && !it.is_dir() && !it.is_symlink();
-    if !is_of_system && !path.symlink_metadata().is_ok_and(is_pipe) {
-        return Ok(None);
+    let is_ours = |about: io::Result<Metadata>| match is_of_system || has_our_owner(&about?) {
+        true => Ok(()),
+        false => Err(io::Error::other("another user has made this pipe")),
+    };
+    if !is_of_system {
+        let about = path.symlink_metadata();
+        let is_pipe = |it: &Metadata| !it.is_file() && !it.is_dir() && !it.is_symlink();
+        if !about.as_ref().is_ok_and(is_pipe) {
+            return Ok(None);
+        }
+        is_ours(about)?;
     }
     let mut options = File::options();
     options.write(true);
@@ -44,10 +52,8 @@ fn pipe(path: &Path) -> io::Result<Option<File>> {
         std::os::unix::fs::OpenOptionsExt::custom_flags(&mut options, libc::O_NOFOLLOW);
     }
     let pipe = options.open(path)?;
-    match is_of_system || has_our_owner(&pipe.metadata()?) {
-        true => Ok(Some(pipe)),
-        false => Err(io::Error::other("another user has made this pipe")),
-    }
+    is_ours(pipe.metadata())?;
+    Ok(Some(pipe))
 }
 
 /// Makes a folder for such files, if it is missing.
