@@ -22,6 +22,19 @@ pub const ANSWER: &str = "answer";
 /// The exit code if the answers could not be sent.
 const UNSENT: u8 = 3;
 
+/// Whether this process is a submission.
+static IS_SUBMISSION: AtomicBool = AtomicBool::new(false);
+
+/// Panics in a submission. Functions that describe questions and answers call this, because they could
+/// give a part of the answer.
+pub(crate) fn refuse_in_submission() {
+    let is_submission = IS_SUBMISSION.load(Ordering::Relaxed);
+    assert!(
+        !is_submission,
+        "only Pinhole may ask the library for this, and no answer"
+    );
+}
+
 /// A submission's whole `main`: answers questions with these functions.
 ///
 /// The job comes in on standard input. On Unix that is a socket, and the answers go
@@ -212,6 +225,7 @@ fn answer_job(
     out: &Mutex<impl Write + Send>,
     progress: &Progress,
 ) -> io::Result<()> {
+    IS_SUBMISSION.store(true, Ordering::Relaxed);
     job::send(&Message::Started, &mut *lock(out))?;
     panic::set_hook(Box::new(remember));
 

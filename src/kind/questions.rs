@@ -167,6 +167,12 @@ impl Questions {
         }
     }
 
+    /// One of the questions, for what says more about it than a submission may know.
+    fn for_asker(&self, index: usize) -> &dyn Question {
+        crate::serve::refuse_in_submission();
+        self.question(index)
+    }
+
     /// Asks one of the questions.
     pub(crate) fn answer(
         &self,
@@ -201,34 +207,34 @@ impl Questions {
     /// One of the questions in words, a line for each thing it is about. `part` is the name of
     /// its film.
     pub fn describe(&self, index: usize, part: &str, digits: usize) -> Vec<Fact> {
-        self.question(index).describe(part, digits)
+        self.for_asker(index).describe(part, digits)
     }
 
     /// An answer to one of them in words.
     pub fn describe_answer(&self, index: usize, answer: &Answer, digits: usize) -> String {
-        self.question(index).describe_answer(answer, digits)
+        self.for_asker(index).describe_answer(answer, digits)
     }
 
     /// The parts of an answer to one of them; `None` if the answer is that nothing is there.
     pub fn parts(&self, index: usize, answer: &Answer) -> Option<Vec<Part>> {
-        self.question(index).parts(answer)
+        self.for_asker(index).parts(answer)
     }
 
     /// Numbers that belong to one of them and its right answer. All questions of a task use the
     /// same names.
     pub fn quantities(&self, index: usize, right: &Answer) -> Vec<Quantity> {
-        self.question(index).quantities(right)
+        self.for_asker(index).quantities(right)
     }
 
     /// Conditions on one of them and on an answer to it, each met or not. All questions of a task
     /// use the same names.
     pub fn conditions(&self, index: usize, answer: &Answer) -> Vec<Condition> {
-        self.question(index).conditions(answer)
+        self.for_asker(index).conditions(answer)
     }
 
     /// Plausible wrong answers to one of them, each with a name, if `right` is the right one.
     pub fn others(&self, index: usize, right: &Answer) -> Vec<(&'static str, Answer)> {
-        self.question(index).others(right)
+        self.for_asker(index).others(right)
     }
 
     /// The answer that the golden film holds for one of them.

@@ -6,6 +6,7 @@ use std::process::Command;
 use super::*;
 use crate::bounds::BoundingBox;
 use crate::camera::{Camera, Pixel, Resolution};
+use crate::kind::{Answer, CameraQuestion, Questions};
 use crate::ray::{Hit, Intersection, Ray};
 use crate::shape::{Canned, Plane, Shape, Sphere, TriangleSoup};
 use crate::tree::{Node, RayTree, Tree};
@@ -67,6 +68,17 @@ fn started_as_a_submission_it_answers() {
             println!("an honest line");
             eprintln!("an honest complaint");
             pixel_as_origin(camera, pixel, resolution)
+        },
+        "prying" => |camera: &_, pixel, resolution| {
+            let question = CameraQuestion {
+                camera: Camera::clone(camera),
+                pixel,
+                resolution,
+            };
+            let ray = pixel_as_origin(camera, pixel, resolution);
+            let asked = Questions::ViewingRay(vec![question]);
+            let told = asked.conditions(0, &Answer::Ray(ray));
+            panic!("the library says {}", told.len());
         },
         other => panic!("no submission is `{other}`"),
     };

@@ -226,6 +226,12 @@ fn panic_names_its_question() {
 }
 
 #[test]
+fn the_library_does_not_help_with_an_answer() {
+    let panic = panicked("prying", &rays(1));
+    assert!(panic.message.contains("only Pinhole may ask"), "{panic:?}");
+}
+
+#[test]
 fn panic_that_no_question_reaches_has_no_effect() {
     assert_eq!(asked("stumbling", &rays(7)).ending, Ending::Complete);
 }
