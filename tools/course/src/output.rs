@@ -78,15 +78,24 @@ pub fn refuse_links(folder: &Path) -> Result<()> {
     entries.try_for_each(|entry| refuse_link(&entry.path()))
 }
 
-fn refuse_link(path: &Path) -> Result<()> {
+/// Refuses a path that is a link or, if it is relative to the current folder, leads through one. The
+/// current folder may be a student's.
+///
+/// # Errors
+/// If there is a link.
+pub fn refuse_link(path: &Path) -> Result<()> {
     // With a slash at its end, the path would be that of what a link leads to.
     let plain: PathBuf = path.components().collect();
-    match plain.is_symlink() {
-        false => Ok(()),
-        true => Err(Error::input(
+    let parts = match plain.is_absolute() {
+        true => 1,
+        false => plain.components().count(),
+    };
+    match plain.ancestors().take(parts).find(|it| it.is_symlink()) {
+        None => Ok(()),
+        Some(link) => Err(Error::input(
             format!(
                 "{} is a link, which a student may have made",
-                path.display()
+                link.display()
             ),
             "name a folder that is no link, and has none inside",
         )),

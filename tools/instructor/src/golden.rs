@@ -55,6 +55,7 @@ fn mistakes(
 ) -> Result<Status> {
     let own = assignment.golden();
     let folder = arguments.dir.as_ref().unwrap_or(&own);
+    output::refuse_links(folder)?;
     let mut manifest = Manifest::read(folder)?;
     let scenes = manifest.scenes(folder, assignment);
     let said = fingerprint(&mut manifest, folder, &scenes, assignment, checkout)?;

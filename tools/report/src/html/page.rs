@@ -148,6 +148,9 @@ fn legend() -> Vec<(&'static str, &'static str)> {
 /// Writes the page. See [`output`].
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
+        if folder.is_relative() {
+            output::refuse_link(folder).map_err(std::io::Error::other)?;
+        }
         std::fs::create_dir_all(folder)?;
     }
     output::write(path, page.as_bytes())
