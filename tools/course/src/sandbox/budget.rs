@@ -134,13 +134,22 @@ mod tests {
         assert!(!budget.is_starved() && budget.is_done_compiling());
         budget.add_starved(Duration::from_secs(6));
         assert!(!budget.is_done_compiling());
-        let begun = Instant::now() - Duration::from_secs(200);
-        let [starved, slow] = [250, 8].map(|seconds| Budget {
+        let begun = Instant::now() - Duration::from_secs(150);
+        let [starved, slow] = [145, 8].map(|seconds| Budget {
             whole: Some((begun, Duration::from_secs(10))),
             starved: Arc::new(Mutex::new(Duration::from_secs(seconds))),
             ..Budget::default()
         });
-        assert!(starved.is_starved() && !slow.is_starved());
+        assert!(starved.left().is_ok() && !starved.is_starved());
+        starved.add_starved(Duration::from_secs(1000));
+        assert!(starved.left().is_ok(), "it may take 200 s");
+        assert!(slow.left().is_err() && !slow.is_starved());
+        let begun = Instant::now() - Duration::from_secs(201);
+        let starved = Budget {
+            whole: Some((begun, Duration::from_secs(10))),
+            ..starved
+        };
+        assert!(starved.left().is_err() && starved.is_starved());
         for is_starved in [false, true] {
             let budget = Budget::default();
             budget.clone().charge(is_starved);
