@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -36,7 +35,7 @@ use pinhole_report::program::Status;
 
 pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
-    let (mut roll, has_class) = roll(arguments, &assignment)?;
+    let mut roll = roll(arguments, &assignment)?;
     let Some(out) = arguments.out.as_ref().filter(|_| !arguments.dry_run) else {
         return preview::print(&roll, &assignment, arguments.json);
     };
@@ -52,10 +51,10 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let fresh = arguments.fresh.as_ref().map(real).transpose()?;
     let folder = golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
-    replace::refuse_inside(&roll.passed, out)?;
+    replace::refuse_inside(&arguments.paths, out)?;
     let cache = ResultCache::open(out)?;
     let earlier = cache.path(class::ROLL);
-    let is_added = !has_class && arguments.shard.is_none() && earlier.exists();
+    let is_added = roll.passed.is_empty() && arguments.shard.is_none() && earlier.exists();
     let class = is_added.then(|| Roll::read(&earlier)).transpose()?;
     if let Some(class) = &class {
         roll.take_ids_of(class);
@@ -328,8 +327,8 @@ fn judged_on(own: bool, fresh: bool, walls: Choice) -> String {
     }
 }
 
-/// The submissions, the people who handed them in, and whether any path is a folder of submissions.
-fn roll(arguments: &Grade, assignment: &Assignment) -> Result<(Roll, bool)> {
+/// The submissions, and the people who handed them in.
+fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let policy = arguments.policy.as_ref();
     let policy = policy
         .map(|path| Policy::read(path, assignment))
@@ -340,11 +339,6 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<(Roll, bool)> {
         class::know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
-    let paths = arguments.paths.iter().map(|path| path.canonicalize());
-    let passed = paths.collect::<io::Result<_>>().or_input(
-        "cannot tell where the submissions are",
-        "pass paths that exist",
-    )?;
     let mut roll = Roll {
         entries: intake.entries,
         people,
@@ -353,9 +347,9 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<(Roll, bool)> {
             ..Placement::default()
         },
         ignored: intake.ignored,
-        passed,
+        passed: intake.passed,
         policy,
     };
     roll.place();
-    Ok((roll, intake.has_class))
+    Ok(roll)
 }

@@ -6,7 +6,7 @@ pub mod replace;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
@@ -34,9 +34,10 @@ pub struct Roll {
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
-    /// The folders and archives that the user passed when the class was graded.
+    /// The folders and archives that the class was read from. Empty if the user passed only single
+    /// submissions.
     #[serde(default)]
-    pub passed: Vec<PathBuf>,
+    pub passed: Vec<String>,
     /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
@@ -93,6 +94,9 @@ impl Roll {
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
         class.people = self.people.or(class.people);
+        class.ignored.extend(self.ignored);
+        class.ignored.sort();
+        class.ignored.dedup();
         class.placed.superseded.extend(self.placed.superseded);
         class.policy = self.policy.or(class.policy);
         class.place();

@@ -106,8 +106,8 @@ pub struct Intake {
     pub ignored: Vec<String>,
     /// Uploads that are not graded, and the entry with a later upload.
     pub superseded: BTreeMap<String, String>,
-    /// Whether any path is a folder of submissions.
-    pub has_class: bool,
+    /// All paths, if any is a folder of submissions.
+    pub passed: Vec<String>,
 }
 
 /// Finds the submissions in some paths. Each path is a submission, or a folder of submissions.
@@ -133,10 +133,10 @@ pub fn find(
             if paths.len() == 1 {
                 return Err(Error::input(
                     format!(
-                        "{} is a link, which a student may have made",
+                        "{} is a link, or was perhaps entered through one, and a student may have made it",
                         path.display()
                     ),
-                    "pass the folder or the archive that it leads to",
+                    "pass the folder or the archive that it leads to, by its name",
                 ));
             }
             intake.ignored.push(format!("{} (a link)", path.display()));
@@ -160,7 +160,7 @@ pub fn find(
             let (found, ignored) = source.of_class(are_classes);
             handed_in.extend(found);
             intake.ignored.extend(ignored);
-            intake.has_class = true;
+            intake.passed = paths.iter().map(|path| real(path)).collect();
         } else {
             handed_in.push(source.whole());
         }
@@ -260,16 +260,18 @@ fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
     found.into_iter().map(in_words).collect()
 }
 
-/// Whether a path is a link, or is named like a folder in which a link has led us, as `.` may be.
+/// Whether a path is a link, or may be named like a folder into which a link has led us, as `.`.
 fn is_link(path: &Path) -> bool {
     if path.file_name().is_some() {
         return path.components().collect::<PathBuf>().is_symlink();
     }
-    // The shell remembers the names by which we came here.
+    // Only the shell knows the names by which we came here.
     let here = std::env::current_dir().unwrap_or_default();
     let typed = std::env::var_os("PWD").map(PathBuf::from);
     let typed = typed.filter(|it| it.canonicalize().is_ok_and(|it| it == here));
-    let mut named = typed.unwrap_or(here);
+    let Some(mut named) = typed else {
+        return true;
+    };
     for part in path.components() {
         match part {
             Component::ParentDir => drop(named.pop()),
@@ -277,6 +279,12 @@ fn is_link(path: &Path) -> bool {
         }
     }
     name(path) != text::name(named.file_name().unwrap_or_default().as_encoded_bytes())
+}
+
+/// Where a path leads, for people to read. Different for different paths.
+fn real(path: &Path) -> String {
+    let absolute = path.canonicalize().unwrap_or(path.into());
+    text::name(absolute.as_os_str().as_encoded_bytes())
 }
 
 /// A path's name, for people to read.

@@ -1,18 +1,26 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::path::{Path, PathBuf, absolute};
+use std::path::{Component, Path, PathBuf, absolute};
 
 use super::Roll;
 use crate::grade::intake::Entry;
 use pinhole_course::error::{Error, Result};
+use pinhole_course::output;
 
 /// Refuses results inside a folder that is graded, because whoever filled that folder may have put
 /// results there.
 pub fn refuse_inside(passed: &[PathBuf], out: &Path) -> Result<()> {
+    output::refuse_link(out)?;
     let out = absolute(out).unwrap_or(out.into());
     let mut existing = out.ancestors().filter_map(|it| it.canonicalize().ok());
     let around = existing.next().unwrap_or_default();
-    match passed.iter().find(|path| around.starts_with(path)) {
+    // A link in that folder may lead elsewhere.
+    let is_plain = !out.components().any(|it| it == Component::ParentDir);
+    let is_around = |path: &&PathBuf| {
+        let path = path.canonicalize().unwrap_or_default();
+        around.starts_with(&path) || is_plain && out.starts_with(&path)
+    };
+    match passed.iter().find(is_around) {
         None => Ok(()),
         Some(path) => Err(Error::input(
             format!(
@@ -62,14 +70,14 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
 /// from, because it may be one person's upload, and hold work in the names of all.
 fn refuse_other_paths(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
     let mut old = class.passed.iter();
-    let Some(lost) = old.find(|path| !roll.passed.contains(path)) else {
-        return Ok(());
+    let was = match (old.find(|it| !roll.passed.contains(it)), &class.passed[..]) {
+        _ if roll.passed.is_empty() => return Ok(()),
+        (Some(lost), _) => format!("was read from {lost}, which was not passed now"),
+        (None, []) => "was passed one submission at a time".into(),
+        (None, _) => return Ok(()),
     };
     Err(Error::input(
-        format!(
-            "the class in the --out folder was read from {}, which was not passed now",
-            lost.display()
-        ),
+        format!("the class in the --out folder {was}"),
         format!(
             "pass all paths that you passed before, or name another folder with --out; to replace \
              the class, first delete {}",
@@ -180,9 +188,12 @@ mod tests {
         ]);
         class.entries[1].name = "ada".into();
         let mut alone = of(vec![entry("ada", "ada", "ada")]);
+        alone.ignored = vec!["bob (a link)".into()];
         alone.take_ids_of(&class);
-        let ids = alone.into_class(class).entries.into_iter().map(|it| it.id);
+        let whole = alone.into_class(class);
+        let ids = whole.entries.into_iter().map(|it| it.id);
         assert_eq!(ids.collect::<Vec<_>>(), ["Ada", "ada.2"]);
+        assert_eq!(whole.ignored, ["bob (a link)"]);
     }
 
     #[test]
@@ -272,6 +283,17 @@ mod tests {
         let refused = refuse_partial_class(&new, &earlier, "pass paths");
         let error = refused.expect_err("it is another folder").to_string();
         assert!(error.contains("read from /hw1, which"), "{error}");
+        // The class was passed one by one, beginning with Bob's folder.
+        let alone = Roll {
+            passed: Vec::new(),
+            ..of(&["ada", "bob"])
+        };
+        fs::write(&earlier, serde_json::to_string(&alone).expect("it is JSON"))
+            .expect("there is room");
+        refuse_partial_class(&alone, &earlier, "pass paths").expect("it is the same");
+        let refused = refuse_partial_class(&new, &earlier, "pass paths");
+        let error = refused.expect_err("it was no folder").to_string();
+        assert!(error.contains("one submission at a time"), "{error}");
     }
 
     #[test]
@@ -286,6 +308,13 @@ mod tests {
         }
         for outside in ["../grades", "../class-grades"] {
             refuse_inside(&passed, &class.join(outside)).expect("it is beside the class");
+        }
+        #[cfg(unix)]
+        for link in ["ada/link", "../link"] {
+            std::os::unix::fs::symlink(&root, class.join(link)).expect("there is room");
+            refuse_inside(&passed, &class.join(link)).expect_err("it is a link");
+            let beyond = refuse_inside(&passed, &class.join(link).join("new"));
+            assert_eq!(beyond.is_err(), link.starts_with("ada"), "{link}");
         }
     }
 }

@@ -10,6 +10,7 @@ use super::{Policy, TimeKey};
 use crate::grade::intake::Entry;
 use crate::grade::intake::matching::{is_anothers_login, is_own_number};
 use crate::grade::intake::names::{self, HandInTime, Sign};
+use crate::grade::intake::reader::file_names;
 use crate::grade::intake::roster::Person;
 use pinhole_report::escape::printable_cell;
 
@@ -158,8 +159,9 @@ impl Policy {
     /// What the table of times says about a submission or, if it doesn't name it, about the person
     /// who handed it in. `people` is the roster.
     fn in_table(&self, entry: &Entry, person: Option<&Person>, people: &[Person]) -> ListedTime {
-        let given = [&entry.id, &entry.name];
-        let of = |kind| self.lines(&given.map(|name| (kind, name)));
+        // Not its id, which may be another submission's name.
+        let given = [entry.name.clone(), file_names::stem(&entry.name).into()];
+        let of = |kind| self.lines(&given.each_ref().map(|name| (kind, name)));
         let named = of(TimeKey::Submission);
         let Some(person) = person else {
             let by_id = of(TimeKey::Id);

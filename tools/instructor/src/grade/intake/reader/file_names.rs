@@ -5,8 +5,12 @@ const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
 const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
 
 fn ends(name: &str, ends: &[&str]) -> bool {
-    let name = name.to_lowercase();
-    ends.iter().any(|end| name.ends_with(end))
+    let name = name.as_bytes();
+    let has_end = |end: &&str| {
+        let start = name.len().checked_sub(end.len());
+        start.is_some_and(|start| name[start..].eq_ignore_ascii_case(end.as_bytes()))
+    };
+    ends.iter().any(has_end)
 }
 
 /// Whether a name is that of an archive that is unpacked.
