@@ -248,3 +248,19 @@ fn python_is_started_in_no_folder_that_may_be_a_students() {
     assert!(ran.status.success(), "{ran:?}");
     assert!(!mark.exists(), "Python was started in the current folder");
 }
+
+#[test]
+fn goldens_are_not_written_through_links() {
+    let folder = fresh(&trusted(), "golden-links");
+    std::os::unix::fs::symlink(folder.join("absent"), folder.join("mistakes.toml"))
+        .expect("there is room");
+    for arguments in [
+        &["golden", "mistakes", plain(&folder)][..],
+        &["golden", "render", "slide_example", "--out", plain(&folder)],
+    ] {
+        pinhole(arguments)
+            .expect_code(2)
+            .expect_err("mistakes.toml is a link");
+    }
+    assert!(!folder.join("absent").exists());
+}
