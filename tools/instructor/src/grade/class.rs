@@ -4,7 +4,7 @@ pub mod concern;
 pub mod marks;
 pub mod replace;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::fs;
 use std::path::Path;
 
@@ -67,16 +67,25 @@ impl Roll {
         here == *other
     }
 
+    /// The keys of its submissions.
+    pub fn keys(&self) -> BTreeSet<&str> {
+        self.entries.iter().map(Entry::key).collect()
+    }
+
     /// Gives single submissions the ids that submissions of their names have in a class, or else ids
     /// that are free there.
     pub fn take_ids_of(&mut self, class: &Roll) {
-        let mut old: Vec<&Entry> = class.entries.iter().collect();
-        let mut taken: BTreeSet<String> = old.iter().map(|it| it.id.to_lowercase()).collect();
+        let mut old: BTreeMap<&str, VecDeque<&String>> = BTreeMap::new();
+        let mut taken = BTreeSet::new();
+        for entry in &class.entries {
+            old.entry(entry.key()).or_default().push_back(&entry.id);
+            taken.insert(entry.id.to_lowercase());
+        }
         let mut renamed = BTreeMap::new();
         for entry in &mut self.entries {
-            let same = old.iter().position(|it| entry.replaces(it));
-            let id = match same {
-                Some(at) => old.remove(at).id.clone(),
+            let same = old.get_mut(entry.key());
+            let id = match same.and_then(VecDeque::pop_front) {
+                Some(id) => id.clone(),
                 None => intake::free_id(&entry.id, &mut taken),
             };
             renamed.insert(std::mem::replace(&mut entry.id, id.clone()), id);
@@ -89,8 +98,8 @@ impl Roll {
     /// Adds single submissions to the class that was graded into the same folder before. They
     /// replace earlier ones of the same name, and all others stay.
     pub fn into_class(self, mut class: Roll) -> Roll {
-        let is_new = |entry: &Entry| self.entries.iter().any(|new| new.replaces(entry));
-        class.entries.retain(|entry| !is_new(entry));
+        let new = self.keys();
+        class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
         class.people = self.people.or(class.people);

@@ -75,10 +75,10 @@ fn not_read() -> std::result::Result<Submission, String> {
 }
 
 impl Entry {
-    /// Whether it is the same person's submission as one of an earlier run. Ids don't tell, because
-    /// those of similar names depend on what else was handed in.
-    pub fn replaces(&self, earlier: &Entry) -> bool {
-        file_names::stem(&self.name) == file_names::stem(&earlier.name)
+    /// What the same person's submission has in every run. Ids of similar names depend on what else
+    /// was handed in.
+    pub fn key(&self) -> &str {
+        file_names::stem(&self.name)
     }
 
     /// What its author should know about how it was read.
@@ -154,13 +154,15 @@ pub fn find(
         sources.push(source);
     }
     let are_classes = sources.iter().all(Source::is_class);
+    if sources.iter().any(Source::is_class) {
+        intake.passed = paths.iter().map(|path| real(path)).collect();
+    }
     let mut handed_in = Vec::new();
     for source in sources {
         if source.is_class() {
             let (found, ignored) = source.of_class(are_classes);
             handed_in.extend(found);
             intake.ignored.extend(ignored);
-            intake.passed = paths.iter().map(|path| real(path)).collect();
         } else {
             handed_in.push(source.whole());
         }
@@ -176,9 +178,25 @@ pub fn find(
         let entry = entry(one, assignment, &mut taken, &mut intake.superseded);
         intake.entries.push(entry);
     }
+    doubt_twins(&mut intake.entries);
     intake.entries.sort_by(|a, b| a.id.cmp(&b.id));
     intake.ignored.sort();
     Ok(intake)
+}
+
+/// Lists submissions of the same name. One of them may be in a folder that somebody else has made.
+fn doubt_twins(entries: &mut [Entry]) {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for entry in &*entries {
+        *counts.entry(entry.key().into()).or_default() += 1;
+    }
+    for entry in entries {
+        if counts[entry.key()] > 1 {
+            entry
+                .doubts
+                .push("another submission has the same name".into());
+        }
+    }
 }
 
 fn entry(

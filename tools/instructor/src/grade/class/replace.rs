@@ -1,9 +1,11 @@
 //! What a run may replace in a folder that holds a graded class.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf, absolute};
 
 use super::Roll;
 use crate::grade::intake::Entry;
+use crate::grade::intake::matching::Proof;
 use pinhole_course::error::{Error, Result};
 use pinhole_course::output;
 
@@ -17,7 +19,9 @@ pub fn refuse_inside(passed: &[PathBuf], out: &Path) -> Result<()> {
     // A link in that folder may lead elsewhere.
     let is_plain = !out.components().any(|it| it == Component::ParentDir);
     let is_around = |path: &&PathBuf| {
-        let path = path.canonicalize().unwrap_or_default();
+        let Some(path) = path.canonicalize().ok().filter(|_| !path.is_symlink()) else {
+            return false;
+        };
         around.starts_with(&path) || is_plain && out.starts_with(&path)
     };
     match passed.iter().find(is_around) {
@@ -42,8 +46,8 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     let Ok(class) = Roll::read(earlier) else {
         return Ok(());
     };
-    let is_here = |one: &&Entry| roll.entries.iter().any(|entry| entry.replaces(one));
-    let absent = class.entries.iter().filter(|it| !is_here(it));
+    let here = roll.keys();
+    let absent = class.entries.iter().filter(|it| !here.contains(it.key()));
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
         refuse_other_rules(roll, &class, false)?;
@@ -69,8 +73,9 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
 /// Refuses a class without the folders and archives that the class in the `--out` folder was read
 /// from, because it may be one person's upload, and hold work in the names of all.
 fn refuse_other_paths(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
+    let passed: BTreeSet<&String> = roll.passed.iter().collect();
     let mut old = class.passed.iter();
-    let was = match (old.find(|it| !roll.passed.contains(it)), &class.passed[..]) {
+    let was = match (old.find(|it| !passed.contains(it)), &class.passed[..]) {
         _ if roll.passed.is_empty() => return Ok(()),
         (Some(lost), _) => format!("was read from {lost}, which was not passed now"),
         (None, []) => "was passed one submission at a time".into(),
@@ -90,8 +95,7 @@ fn refuse_other_paths(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
 /// one of them.
 pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
     let (new, old) = (&roll.policy, &class.policy);
-    let is_here = |old: &Entry| roll.entries.iter().any(|new| new.replaces(old));
-    let is_part = is_single && !class.entries.iter().all(is_here);
+    let is_part = is_single && !class.keys().is_subset(&roll.keys());
     // People's groups come from the policy.
     let people = |roll: &Roll| {
         let mut people = roll.people.clone()?;
@@ -118,11 +122,16 @@ pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<
 /// Refuses to replace a submission by an archive whose author may have given it that name, and to
 /// replace two submissions by one: the one with its id, and another with its name.
 pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
-    let (all, new) = (class.entries.iter(), roll.entries.iter());
-    let old: Vec<&Entry> = all
-        .filter(|old| new.clone().any(|it| it.replaces(old)))
-        .collect();
-    let new = new.filter(|new| old.iter().any(|old| new.replaces(old)));
+    let here = roll.keys();
+    let old = class.entries.iter().filter(|it| here.contains(it.key()));
+    let old: Vec<&Entry> = old.collect();
+    let mut strongest: BTreeMap<&str, Proof> = BTreeMap::new();
+    for entry in &old {
+        let at_most = strongest.entry(entry.key()).or_insert(entry.at_most);
+        *at_most = entry.at_most.max(*at_most);
+    }
+    let new = roll.entries.iter();
+    let new = new.filter(|it| strongest.contains_key(it.key()));
     if new.count() < old.len() {
         let ids: Vec<&str> = old.iter().map(|old| &*old.id).collect();
         return Err(Error::input(
@@ -134,8 +143,8 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
         ));
     }
     let is_weaker = |new: &&Entry| {
-        let mut same = class.entries.iter().filter(|old| new.replaces(old));
-        same.any(|old| new.at_most < old.at_most)
+        let old = strongest.get(new.key());
+        old.is_some_and(|old| new.at_most < *old)
     };
     let Some(new) = roll.entries.iter().find(is_weaker) else {
         return Ok(());

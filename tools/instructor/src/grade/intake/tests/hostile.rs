@@ -48,6 +48,22 @@ fn one_of_several_classes_may_be_a_students_so_all_are_listed() {
 }
 
 #[test]
+fn submissions_of_the_same_name_are_listed() {
+    let export = Export::new();
+    for (name, author) in [
+        ("t/ada", "ada"),
+        ("t/bob", "bob"),
+        ("late/mal/ada", "mallory"),
+    ] {
+        export.put_all(name, answers("", author));
+    }
+    let paths = ["t/ada", "t/bob", "late/mal/ada"].map(|path| export.path(path));
+    let intake = find(&paths, &assignment(), None).expect("it can be read");
+    let doubts = intake.entries.iter().map(|it| it.doubts.len());
+    assert_eq!(doubts.collect::<Vec<_>>(), [1, 1, 0]);
+}
+
+#[test]
 fn a_folder_named_after_a_person_is_not_a_class() {
     let person = |id: &str, name: &str| Person {
         id: id.into(),
