@@ -13,27 +13,14 @@ use rayon::prelude::*;
 
 use crate::job::{self, CHUNK, Job, MOST_PANIC_TEXT, Message, Panic};
 #[cfg(unix)]
-use crate::kind::{self, TestResult};
-use crate::kind::{AnswerFn, WireAnswer};
+use crate::kind::TestResult;
+use crate::kind::{self, AnswerFn, WireAnswer};
 
 /// The argument that makes a submission answer. If it is missing, a person has started the program.
 pub const ANSWER: &str = "answer";
 
 /// The exit code if the answers could not be sent.
 const UNSENT: u8 = 3;
-
-/// Whether this process is a submission.
-static IS_SUBMISSION: AtomicBool = AtomicBool::new(false);
-
-/// Panics in a submission. Functions that describe questions and answers call this, because they could
-/// give a part of the answer.
-pub(crate) fn refuse_in_submission() {
-    let is_submission = IS_SUBMISSION.load(Ordering::Relaxed);
-    assert!(
-        !is_submission,
-        "only Pinhole may ask the library for this, and no answer"
-    );
-}
 
 /// A submission's whole `main`: answers questions with these functions.
 ///
@@ -225,7 +212,7 @@ fn answer_job(
     out: &Mutex<impl Write + Send>,
     progress: &Progress,
 ) -> io::Result<()> {
-    IS_SUBMISSION.store(true, Ordering::Relaxed);
+    kind::become_submission();
     job::send(&Message::Started, &mut *lock(out))?;
     panic::set_hook(Box::new(remember));
 

@@ -169,7 +169,7 @@ impl Questions {
 
     /// One of the questions, for what says more about it than a submission may know.
     fn for_asker(&self, index: usize) -> &dyn Question {
-        crate::serve::refuse_in_submission();
+        super::refuse_in_submission();
         self.question(index)
     }
 

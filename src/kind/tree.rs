@@ -49,7 +49,7 @@ impl TreeQuestion {
 
     /// The boxes of a tree's upper nodes, for pictures.
     pub fn outline(&self, tree: &FlatTree) -> Vec<NodeBox> {
-        crate::serve::refuse_in_submission();
+        super::refuse_in_submission();
         tree.outline(&self.boxes)
     }
 

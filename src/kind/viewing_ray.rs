@@ -216,7 +216,7 @@ impl Question for CameraQuestion {
 impl CameraQuestion {
     /// A ray of world space in camera space.
     pub fn in_camera_space(&self, ray: &Ray) -> Ray {
-        crate::serve::refuse_in_submission();
+        super::refuse_in_submission();
         Ray {
             origin: self.in_frame(ray.origin - self.camera.eye),
             direction: self.in_frame(ray.direction),
