@@ -97,7 +97,7 @@ pub fn refuse_link(path: &Path) -> Result<()> {
                 "{} is a link, which a student may have made",
                 link.display()
             ),
-            "name a folder that is no link, and has none inside",
+            "name a folder that is not a link and contains none",
         )),
     }
 }
