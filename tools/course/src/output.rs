@@ -132,7 +132,14 @@ mod tests {
             let refused = make_folder(Path::new(&named)).expect_err("it is a link");
             assert!(refused.problem.contains("is a link"), "{refused}");
         }
-        refuse_links(&victim).expect("it holds a folder only");
+        // The current folder may be a student's, but not the one that an absolute path names.
+        let here = tempfile::tempdir_in(".").expect("there is room");
+        let name = Path::new(here.path().file_name().expect("it has one"));
+        symlink(&victim, here.path().join("link")).expect("there is room");
+        make_folder(&name.join("link/new")).expect_err("it leads through a link");
+        assert!(!victim.join("new").exists());
+        make_folder(&folder.path().join("link/new")).expect("it was named in full");
+        refuse_links(&victim).expect("it holds folders only");
         refuse_links(folder.path()).expect_err("it holds a link");
         refuse_links(&folder.path().join("absent")).expect("it will be made");
     }
