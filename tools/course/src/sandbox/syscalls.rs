@@ -94,10 +94,16 @@ const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
     libc::F_SETFL,
 ];
 
+/// The only commands of `ioctl` that code may use while answering, and that the standard library
+/// uses. Others tell the machine's addresses, for example.
+const ALLOWED_OF_IOCTL: [libc::Ioctl; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
+
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
 /// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
 /// written. It could also use the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 25] = [
+const NEVER_WHILE_ANSWERING: [libc::c_long; 26] = [
+    // Filters take memory that no limit counts.
+    libc::SYS_seccomp,
     libc::SYS_socket,
     libc::SYS_socketpair,
     // Makes a file if standard input, a socket, gets a path as its name.
@@ -206,13 +212,18 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
         // memory until the last page of the mapping is unmapped.
         rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
-        let is_not = |command| SeccompCondition::new(1, Dword, Ne, command as u64);
-        let others = ALLOWED_OF_FCNTL.into_iter().map(is_not);
-        let others = SeccompRule::new(others.collect::<Result<_, _>>()?)?;
-        rules.insert(libc::SYS_fcntl, vec![others]);
-        // The process was told to end with the grader, and must not be able to change that. And
-        // every user of the machine can read the names of threads.
-        let of_prctl = [libc::PR_SET_PDEATHSIG, libc::PR_SET_NAME].map(|option| {
+        let of_fcntl = ALLOWED_OF_FCNTL.map(|command| command as u64);
+        rules.insert(libc::SYS_fcntl, vec![other_than(&of_fcntl)?]);
+        let of_ioctl = ALLOWED_OF_IOCTL.map(|command| command as u64);
+        rules.insert(libc::SYS_ioctl, vec![other_than(&of_ioctl)?]);
+        // The process was told to end with the grader, and must not be able to change that. Every
+        // user of the machine can read the names of threads. The third is the old name of `seccomp`.
+        let of_prctl = [
+            libc::PR_SET_PDEATHSIG,
+            libc::PR_SET_NAME,
+            libc::PR_SET_SECCOMP,
+        ]
+        .map(|option| {
             let is_option = SeccompCondition::new(0, Dword, Eq, option as u64)?;
             SeccompRule::new(vec![is_option])
         });
@@ -250,4 +261,10 @@ fn with_flag(
         MaskedEq(flag),
         expected,
     )?])
+}
+
+/// A call of `fcntl` or `ioctl` with any other command.
+fn other_than(allowed: &[u64]) -> Result<SeccompRule, seccompiler::BackendError> {
+    let is_not = |command: &u64| SeccompCondition::new(1, Dword, Ne, *command);
+    SeccompRule::new(allowed.iter().map(is_not).collect::<Result<_, _>>()?)
 }

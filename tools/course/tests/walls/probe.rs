@@ -66,6 +66,8 @@ fn main() {
     let calls = [
         ("ptrace", 101, [-1, 0, 0, 0]),
         ("clone a namespace", 56, [0x1000_0200, 0, 0, 0]),
+        ("add a filter", 317, [-1, 0, 0, 0]),
+        ("add a filter by its old name", 157, [22, -1, 0, 0]),
         ("rules", 444, [0, 0, 1, 0]),
         ("clone a process", 56, [0x800, 0, 0, 0]),
         ("clone a thread", 56, [0x1_0000, 0, 0, 0]),
@@ -84,6 +86,8 @@ fn main() {
         ("lock", 72, [-1, 6, 0, 0]),
         ("store a number", 72, [-1, 1036, 0, 0]),
         ("ask for flags", 72, [-1, 3, 0, 0]),
+        ("ask for addresses", 16, [-1, 0x8912, 0, 0]),
+        ("do not wait", 16, [-1, 0x5421, 0, 0]),
         ("watch a process", 434, [-1, 0, 0, 0]),
         ("outlive the parent", 157, [1, -1, 0, 0]),
         ("take a name", 157, [15, 0, 0, 0]),

@@ -53,12 +53,13 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
     confined(user, limits)
         + &format!(
             "environment [\"{environment}\"]\n\
-             unknown calls [\"ptrace\", \"clone a namespace\", \"rules\", \"clone a process\", \
+             unknown calls [\"ptrace\", \"clone a namespace\", \"add a filter\", \
+             \"add a filter by its old name\", \"rules\", \"clone a process\", \
              \"clone a watched thread\", \"socket\", \"ask a socket\", \"make a folder\", \
-             \"openat a new file\", \
-             \"openat a file without a name\", \"open a new file\", \
-             \"open a file without a name\", \"share memory\", \"lock\", \
-             \"store a number\", \"watch a process\", \"outlive the parent\", \"take a name\"]\n"
+             \"openat a new file\", \"openat a file without a name\", \"open a new file\", \
+             \"open a file without a name\", \"share memory\", \"lock\", \"store a number\", \
+             \"ask for addresses\", \"watch a process\", \"outlive the parent\", \
+             \"take a name\"]\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")
 }
