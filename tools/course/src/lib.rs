@@ -16,6 +16,7 @@ pub mod examples;
 pub mod explanation;
 pub mod goldens;
 pub mod handout_record;
+pub mod link;
 pub mod manifest;
 pub mod mistake;
 pub mod mistake_films;

@@ -6,23 +6,29 @@
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use tempfile::NamedTempFile;
 
-use crate::error::{Error, Result, ResultExt};
+use crate::error::{Result, ResultExt};
+use crate::link;
 use crate::private::has_our_owner;
 
 /// Writes a file, or replaces it. A pipe or a device is not replaced, but written to.
 ///
 /// # Errors
-/// If its folder is missing or can't be written, or if another user has made the pipe.
+/// If its folder is missing, can't be written, or is relative and leads through a link, or if another
+/// user has made the pipe.
 pub fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
     if let Some(mut pipe) = pipe(path)? {
         return pipe.write_all(bytes);
     }
     let folder = path.parent().filter(|it| !it.as_os_str().is_empty());
-    let mut beside = NamedTempFile::new_in(folder.unwrap_or(Path::new(".")))?;
+    let folder = folder.unwrap_or(Path::new("."));
+    if folder.is_relative() {
+        link::refuse(folder).map_err(io::Error::other)?;
+    }
+    let mut beside = NamedTempFile::new_in(folder)?;
     beside.write_all(bytes)?;
     beside.persist(path)?;
     Ok(())
@@ -61,7 +67,7 @@ fn pipe(path: &Path) -> io::Result<Option<File>> {
 /// # Errors
 /// If it is a link, or can't be made.
 pub fn make_folder(folder: &Path) -> Result<()> {
-    refuse_link(folder)?;
+    link::refuse(folder)?;
     fs::create_dir_all(folder).or_input(
         format_args!("cannot write to {}", folder.display()),
         "name a folder you may write to",
@@ -73,33 +79,9 @@ pub fn make_folder(folder: &Path) -> Result<()> {
 /// # Errors
 /// If there is a link.
 pub fn refuse_links(folder: &Path) -> Result<()> {
-    refuse_link(folder)?;
+    link::refuse(folder)?;
     let mut entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    entries.try_for_each(|entry| refuse_link(&entry.path()))
-}
-
-/// Refuses a path that is a link or, if it is relative to the current folder, leads through one. The
-/// current folder may be a student's.
-///
-/// # Errors
-/// If there is a link.
-pub fn refuse_link(path: &Path) -> Result<()> {
-    // With a slash at its end, the path would be that of what a link leads to.
-    let plain: PathBuf = path.components().collect();
-    let parts = match plain.is_absolute() {
-        true => 1,
-        false => plain.components().count(),
-    };
-    match plain.ancestors().take(parts).find(|it| it.is_symlink()) {
-        None => Ok(()),
-        Some(link) => Err(Error::input(
-            format!(
-                "{} is a link, which a student may have made",
-                link.display()
-            ),
-            "name a folder that is not a link and contains none",
-        )),
-    }
+    entries.try_for_each(|entry| link::refuse(&entry.path()))
 }
 
 #[cfg(all(test, unix))]
@@ -137,6 +119,7 @@ mod tests {
         let name = Path::new(here.path().file_name().expect("it has one"));
         symlink(&victim, here.path().join("link")).expect("there is room");
         make_folder(&name.join("link/new")).expect_err("it leads through a link");
+        write(&name.join("link/new"), b"new").expect_err("it leads through a link");
         assert!(!victim.join("new").exists());
         make_folder(&folder.path().join("link/new")).expect("it was named in full");
         refuse_links(&victim).expect("it holds folders only");

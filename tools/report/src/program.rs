@@ -1,6 +1,8 @@
 //! What all our programs share: exit codes, errors, panics.
 
+use std::ffi::OsString;
 use std::panic::{self, PanicHookInfo};
+use std::path::Path;
 use std::process::ExitCode;
 
 use crate::escape::printable_coloured;
@@ -21,6 +23,10 @@ pub enum Status {
 /// printed as a document on standard output.
 pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
     panic::set_hook(Box::new(report_panic));
+    let command = || {
+        refuse_files_as_options()?;
+        command()
+    };
     match panic::catch_unwind(panic::AssertUnwindSafe(command)) {
         Ok(Ok(Status::Well)) => ExitCode::SUCCESS,
         Ok(Ok(Status::JudgedWrong)) => ExitCode::from(1),
@@ -39,6 +45,25 @@ pub fn run(json: bool, command: impl FnOnce() -> Result<Status>) -> ExitCode {
             error.exit_code()
         }
         Err(_) => ExitCode::from(3),
+    }
+}
+
+/// Refuses options that are also the names of files here. The shell puts a student's file with such
+/// a name in the place of `*`.
+fn refuse_files_as_options() -> Result<()> {
+    let mut options = std::env::args_os().skip(1).take_while(|it| it != "--");
+    let is_file = |it: &OsString| {
+        it.as_encoded_bytes().starts_with(b"-") && Path::new(it).symlink_metadata().is_ok()
+    };
+    match options.find(is_file) {
+        None => Ok(()),
+        Some(name) => Err(Error::input(
+            format!(
+                "{} is an option, but also a file in this folder",
+                name.display()
+            ),
+            "if you wrote `*`, write `./*` instead",
+        )),
     }
 }
 

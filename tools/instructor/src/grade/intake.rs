@@ -23,7 +23,7 @@ pub mod task_names;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
@@ -37,6 +37,7 @@ use self::source::Source;
 use super::provenance::{self, sha256};
 use pinhole_course::assignment::{Assignment, Task, examples_file};
 use pinhole_course::error::{Error, Result};
+use pinhole_course::link;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission, text};
 
 /// One submission as it was handed in.
@@ -129,7 +130,8 @@ pub fn find(
     let mut intake = Intake::default();
     for path in paths {
         // A link may be a student's, and lead to another's answers or to ours.
-        if is_link(path) && path.exists() {
+        let is_link = link::first(path).is_some() || link::is_renamed(path);
+        if is_link && path.exists() {
             if paths.len() == 1 {
                 return Err(Error::input(
                     format!(
@@ -276,27 +278,6 @@ fn unusable(submission: &Submission, assignment: &Assignment) -> Vec<String> {
         }
     };
     found.into_iter().map(in_words).collect()
-}
-
-/// Whether a path is a link, or may be named like a folder into which a link has led us, as `.`.
-fn is_link(path: &Path) -> bool {
-    if path.file_name().is_some() {
-        return path.components().collect::<PathBuf>().is_symlink();
-    }
-    // Only the shell knows the names by which we came here.
-    let here = std::env::current_dir().unwrap_or_default();
-    let typed = std::env::var_os("PWD").map(PathBuf::from);
-    let typed = typed.filter(|it| it.canonicalize().is_ok_and(|it| it == here));
-    let Some(mut named) = typed else {
-        return true;
-    };
-    for part in path.components() {
-        match part {
-            Component::ParentDir => drop(named.pop()),
-            part => named.push(part),
-        }
-    }
-    name(path) != text::name(named.file_name().unwrap_or_default().as_encoded_bytes())
 }
 
 /// Where a path leads, for people to read. Different for different paths.

@@ -332,13 +332,29 @@ fn a_folder_that_was_entered_through_a_link_is_not_graded_under_the_name_behind_
     fs::create_dir_all(&theirs).expect("there is room");
     fs::write(theirs.join("sphere.rs"), BROKEN).expect("there is room");
     std::os::unix::fs::symlink(&theirs, &link).expect("there is room");
-    for (typed, code) in [(Some(&link), 2), (None, 2), (Some(&theirs), 1)] {
-        let grade = ["grade", ".", "--dry-run", "--assignment", assignment()];
-        let mut command = Command::new(program_of("grade"));
-        command.args(grade).current_dir(&theirs).env_remove("PWD");
-        command.envs(typed.map(|typed| ("PWD", typed)));
-        ran(command.output().expect("it starts")).expect_code(code);
+    for path in [".", "../ada"] {
+        for (typed, code) in [(Some(&link), 2), (None, 2), (Some(&theirs), 1)] {
+            let grade = ["grade", path, "--dry-run", "--assignment", assignment()];
+            let mut command = Command::new(program_of("grade"));
+            command.args(grade).current_dir(&theirs).env_remove("PWD");
+            command.envs(typed.map(|typed| ("PWD", typed)));
+            ran(command.output().expect("it starts")).expect_code(code);
+        }
     }
+}
+
+#[test]
+fn no_file_of_a_student_is_taken_for_an_option() {
+    let class = Class::new("options");
+    let grade = |name: &str| {
+        fs::write(class.folder.join(name), "").expect("there is room");
+        let mut command = Command::new(program_of("grade"));
+        command.args(["grade", "class", "--trust", "--assignment", assignment()]);
+        command.args(["--dry-run"]).current_dir(&class.folder);
+        ran(command.output().expect("it starts"))
+    };
+    grade("trust").expect_code(1);
+    grade("--trust").expect_code(2).expect_err("write `./*`");
 }
 
 #[test]

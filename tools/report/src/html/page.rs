@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 
 use super::Report;
 use super::cause::Cause;
-use pinhole_course::output;
+use pinhole_course::{link, output};
 
 const TEMPLATES: [(&str, &str); 9] = [
     ("report.html", include_str!("../../templates/report.html")),
@@ -149,7 +149,7 @@ fn legend() -> Vec<(&'static str, &'static str)> {
 pub fn write(path: &Path, page: &str) -> std::io::Result<()> {
     if let Some(folder) = path.parent() {
         if folder.is_relative() {
-            output::refuse_link(folder).map_err(std::io::Error::other)?;
+            link::refuse(folder).map_err(std::io::Error::other)?;
         }
         std::fs::create_dir_all(folder)?;
     }

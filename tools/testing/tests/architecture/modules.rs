@@ -48,6 +48,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
         &[
             "error",
             "private",
+            "link",
             "output",
             "shell",
             "timings",

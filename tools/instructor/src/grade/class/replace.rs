@@ -7,12 +7,12 @@ use super::Roll;
 use crate::grade::intake::Entry;
 use crate::grade::intake::matching::Proof;
 use pinhole_course::error::{Error, Result};
-use pinhole_course::output;
+use pinhole_course::link;
 
 /// Refuses results inside a folder that is graded, because whoever filled that folder may have put
 /// results there.
 pub fn refuse_inside(passed: &[PathBuf], out: &Path) -> Result<()> {
-    output::refuse_link(out)?;
+    link::refuse(out)?;
     let out = absolute(out).unwrap_or(out.into());
     let mut existing = out.ancestors().filter_map(|it| it.canonicalize().ok());
     let around = existing.next().unwrap_or_default();
