@@ -96,7 +96,7 @@ const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
 
 /// The only commands of `ioctl` that code may use while answering, and that the standard library
 /// uses. Others tell the machine's addresses, for example.
-const ALLOWED_OF_IOCTL: [libc::Ioctl; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
+const ALLOWED_OF_IOCTL: [u64; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
 
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
 /// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
@@ -214,8 +214,7 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
         let of_fcntl = ALLOWED_OF_FCNTL.map(|command| command as u64);
         rules.insert(libc::SYS_fcntl, vec![other_than(&of_fcntl)?]);
-        let of_ioctl = ALLOWED_OF_IOCTL.map(|command| command as u64);
-        rules.insert(libc::SYS_ioctl, vec![other_than(&of_ioctl)?]);
+        rules.insert(libc::SYS_ioctl, vec![other_than(&ALLOWED_OF_IOCTL)?]);
         // The process was told to end with the grader, and must not be able to change that. Every
         // user of the machine can read the names of threads. The third is the old name of `seccomp`.
         let of_prctl = [
