@@ -41,7 +41,7 @@ pub struct Record {
     /// Which tasks the scenes need, if fresh questions were asked.
     #[serde(default)]
     pub needs: SceneNeeds,
-    /// By task, a hash of the answer's tokens, without comments, spaces and line breaks.
+    /// By task, a hash of the answer's tokens, without comments, spaces, line breaks and names.
     pub tokens: BTreeMap<String, String>,
     /// What the mark was made from. Equal provenance means an equal mark.
     pub provenance: Provenance,

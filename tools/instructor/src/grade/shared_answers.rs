@@ -1,5 +1,7 @@
-//! Finds answers that are the same except for comments, spaces, line breaks and names of
-//! variables.
+//! Finds answers that are the same except for comments, spaces, line breaks and names.
+//!
+//! All names but those of types count as equal, so that no renaming hides a copy. Then `b - a` is
+//! the same as `a - b`, so answers are the same only if they also get the same points.
 //!
 //! Short answers may coincide by chance, so rare matches count more. A match counts in bits: log₂
 //! of the number of right answers divided by the number of those that match. Six equal loops over
@@ -7,17 +9,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Group, Ident, TokenStream, TokenTree};
 use serde::Serialize;
 
 use super::provenance::sha256;
-use super::record::{PartSummary, RecordSummary};
+use super::record::RecordSummary;
 use pinhole_course::assignment::{Assignment, EXAMPLES};
 use pinhole_course::error::Result;
 use pinhole_course::mistake;
 use pinhole_course::stubs;
 
-/// Answers to one task that are the same.
+/// Answers to one task that are the same and get the same points.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct SharedAnswer {
     pub task: String,
@@ -40,33 +42,21 @@ pub struct SharedPair {
     pub bits: f64,
 }
 
-/// A hash of an answer's tokens, without documentation and with numbers in place of the answer's
-/// own names. `None` if the text can't be split into tokens.
+/// A hash of an answer's tokens, without documentation and with one sign for every name except those
+/// of types. `None` if the text can't be split into tokens.
 pub fn tokens(text: &str) -> Option<String> {
     let words = text.parse().map(words);
     // Otherwise, the library would keep every text until this thread ends, because tokens refer to
     // places in it.
     proc_macro2::extra::invalidate_current_thread_spans();
     let words = words.ok()?;
-    let own = own_names(&words);
-    let mut numbers: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut flat = String::new();
-    for (k, word) in words.iter().enumerate() {
-        let is_member = k > 0 && [".", "::"].contains(&words[k - 1].as_str());
-        match own.contains(word.as_str()) && !is_member {
-            true => {
-                let next = numbers.len();
-                let number = numbers.entry(word).or_insert(next);
-                flat.push_str(&format!("#{number}"));
-            }
-            false => flat.push_str(word),
-        }
-        flat.push('\n');
-    }
-    (!flat.trim().is_empty()).then(|| sha256(flat.as_bytes()))
+    (!words.is_empty()).then(|| sha256(words.join("\n").as_bytes()))
 }
 
-/// The tokens one by one. `::` is one token, and documentation is left out.
+/// The sign for a name.
+const NAME: &str = "#name";
+
+/// The tokens one by one, without documentation.
 fn words(stream: TokenStream) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     // Use a list instead of recursion, because a student's file may consist of nothing but nested
@@ -96,9 +86,10 @@ fn words(stream: TokenStream) -> Vec<String> {
                 words.extend((!opening.is_empty()).then(|| opening.to_owned()));
                 open.push((group.stream().into_iter(), closing));
             }
-            TokenTree::Punct(punct) if punct.as_char() == ':' => match words.last_mut() {
-                Some(last) if last == ":" => last.push(':'),
-                _ => words.push(":".into()),
+            TokenTree::Ident(name) if is_replaced(&name) => match &words[..] {
+                // `Hit { t: x }` is `Hit { t }` with another name for the variable.
+                [.., before, colon] if before == NAME && colon == ":" => drop(words.pop()),
+                _ => words.push(NAME.into()),
             },
             other => words.push(other.to_string()),
         }
@@ -106,47 +97,13 @@ fn words(stream: TokenStream) -> Vec<String> {
     words
 }
 
-/// The names that an answer chooses itself: of variables, parameters, functions and constants.
-fn own_names(words: &[String]) -> BTreeSet<&str> {
-    let mut own = BTreeSet::new();
-    let is_name = |word: &str| {
-        let mut letters = word.chars();
-        letters
-            .next()
-            .is_some_and(|c| c.is_alphabetic() || c == '_')
-            && !KEYWORDS.contains(&word)
-    };
-    let mut in_pattern = false;
-    let mut in_closure = false;
-    for (k, word) in words.iter().enumerate() {
-        let word = word.as_str();
-        let before = k.checked_sub(1).map_or("", |k| words[k].as_str());
-        let after = words.get(k + 1).map_or("", String::as_str);
-        match word {
-            "let" | "for" => in_pattern = true,
-            "=" | "in" | ":" | ";" => in_pattern = false,
-            // A closure begins where there can be no operator.
-            "|" if in_closure => in_closure = false,
-            "|" => in_closure = ["(", ",", "=", "{", "move", "return"].contains(&before),
-            _ => {}
-        }
-        let is_declared = ["fn", "const", "static", "mut", "ref"].contains(&before);
-        let is_parameter = after == ":" && [",", "(", "{", "mut", "|"].contains(&before);
-        let is_bound = (in_pattern || in_closure) && !["(", "::", "{"].contains(&after);
-        if is_name(word) && before != "::" && (is_declared || is_parameter || is_bound) {
-            own.insert(word);
-        }
-    }
-    // Keep names that the handout gives to everyone.
-    own.retain(|name| !name.starts_with(char::is_uppercase) || name.to_uppercase() == **name);
-    own
+/// Whether this is a name, but neither that of a type nor of a variant, such as `Hit` or `Some`.
+fn is_replaced(name: &Ident) -> bool {
+    let text = name.to_string();
+    let is_type = text.starts_with(char::is_uppercase) && text.contains(char::is_lowercase);
+    // Keywords are no names.
+    !is_type && syn::parse2::<syn::Ident>(TokenTree::from(name.clone()).into()).is_ok()
 }
-
-/// Keywords that may be in the place of a name.
-const KEYWORDS: [&str; 20] = [
-    "as", "break", "const", "continue", "else", "false", "fn", "for", "if", "in", "let", "loop",
-    "match", "move", "mut", "ref", "return", "self", "true", "while",
-];
 
 /// Whether this group, in brackets, ends an attribute that a documentation comment became. A block
 /// of code may also begin with the name `doc`, and must not be left out.
@@ -157,10 +114,10 @@ fn is_doc(before: &[String], group: &Group) -> bool {
         && matches!(first, Some(TokenTree::Ident(name)) if name == "doc")
 }
 
-/// Answers that are not the students' own work: the stubs, the reference's and the variants',
-/// by task and hash.
+/// Answers that are not the students' own work.
 #[derive(Default)]
 pub struct KnownAnswers {
+    /// The reference's and the variants', by task and hash. All of them are right.
     named: BTreeMap<(String, String), String>,
     stubs: Vec<String>,
 }
@@ -195,34 +152,38 @@ impl KnownAnswers {
 
     /// Answers of a class that are equal to a known one or to each other, the rarest first.
     pub fn shared_answers(&self, records: &[&RecordSummary]) -> Vec<SharedAnswer> {
-        let mut same: BTreeMap<(&str, &str), Vec<String>> = BTreeMap::new();
+        let mut same: BTreeMap<(&str, &str, u32, bool), Vec<String>> = BTreeMap::new();
         let mut right: BTreeMap<&str, usize> = BTreeMap::new();
         for record in records {
-            let is_right =
-                |group: &PartSummary| group.points == group.possible || *group.name == *EXAMPLES;
-            let tasks = record.tasks.iter();
-            for task in tasks.filter(|task| task.groups.iter().all(is_right)) {
-                *right.entry(&task.task.name).or_default() += 1;
-            }
-            for (task, hash) in &*record.tokens {
-                if !self.stubs.contains(hash) {
-                    let who = same.entry((task, hash)).or_default();
+            for task in &record.tasks {
+                let name = &*task.task.name;
+                // Examples belong to another file.
+                let groups = task.groups.iter().filter(|group| *group.name != *EXAMPLES);
+                let is_right = groups.clone().all(|group| group.points == group.possible);
+                let points = groups.map(|group| group.points).sum();
+                *right.entry(name).or_default() += usize::from(is_right);
+                let mut own = record.tokens.iter().filter(|(task, _)| task == name);
+                if let Some((_, hash)) = own.find(|(_, hash)| !self.stubs.contains(hash)) {
+                    let who = same.entry((name, hash, points, is_right)).or_default();
                     who.push(record.id.clone());
                 }
             }
         }
-        let alike = same.into_iter().filter_map(|((task, hash), who)| {
-            let known = self.named.get(&(task.to_owned(), hash.to_owned())).cloned();
-            let to = known.or_else(|| (who.len() > 1).then(|| "each other".into()))?;
-            let of = right.get(task).copied().unwrap_or(0).max(who.len()) as f64;
-            Some(SharedAnswer {
-                task: task.into(),
-                to,
-                share: who.len() as f64 / records.len().max(1) as f64,
-                bits: (of / who.len() as f64).log2(),
-                who,
-            })
-        });
+        let alike = same
+            .into_iter()
+            .filter_map(|((task, hash, _, is_right), who)| {
+                let known = self.named.get(&(task.to_owned(), hash.to_owned()));
+                let known = known.filter(|_| is_right).cloned();
+                let to = known.or_else(|| (who.len() > 1).then(|| "each other".into()))?;
+                let of = right.get(task).copied().unwrap_or(0).max(who.len()) as f64;
+                Some(SharedAnswer {
+                    task: task.into(),
+                    to,
+                    share: who.len() as f64 / records.len().max(1) as f64,
+                    bits: (of / who.len() as f64).log2(),
+                    who,
+                })
+            });
         let mut alike: Vec<SharedAnswer> = alike.collect();
         alike.sort_by(|a, b| {
             let names = |it: &SharedAnswer| (it.task.clone(), it.to.clone(), it.who.clone());
@@ -306,25 +267,71 @@ mod tests {
     use super::*;
 
     #[test]
-    fn comments_layout_and_names_make_no_difference_but_operations_do() {
+    fn comments_layout_and_names_make_no_difference_but_operations_and_types_do() {
         let plain =
-            tokens("fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.y).iter().map(|i| i + y) }");
+            tokens("fn f(x: f64) -> Hit { let y = x * 2.0; g(y).map(|i| Hit { t: i, y }) }");
         for same in [
-            "//! Mine.\n/// I wrote this.\nfn f(x:f64)->f64{\n // two\n let y=x*2.0;g(y,x.y).iter().map(|i|i+y) /* . */ }",
-            "fn f(a: f64) -> f64 { let b = a * 2.0; g(b, a.y).iter().map(|k| k + b) }",
-            "fn twice(a: f64) -> f64 { let x = a * 2.0; g(x, a.y).iter().map(|k| k + x) }",
+            "//! Mine.\n/// I wrote this.\nfn f(x:f64)->Hit{\n // two\n let y=x*2.0;g(y).map(|i|Hit{t:i,y}) /* . */ }",
+            "fn f(a: f64) -> Hit { let b = a * 2.0; g(b).map(|k| Hit { t: k, y: b }) }",
+            "fn f(x: f64) -> Hit { let x = x * 2.0; g(x).map(|t| Hit { t, y: x }) }",
+            "fn f(x: f64) -> Hit { let r#box = x * 2.0; h(r#box).all(|i| Hit { t: i, y: r#box }) }",
         ] {
             assert_eq!(tokens(same), plain, "{same}");
         }
         for other in [
-            "fn f(x: f64) -> f64 { let y = x * 3.0; g(y, x.y).iter().map(|i| i + y) }",
-            "fn f(x: f64) -> f64 { let y = x * 2.0; g(x, x.y).iter().map(|i| i + y) }",
-            "fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.z).iter().map(|i| i + y) }",
-            "fn f(x: f64) -> f64 { let y = x * 2.0; h(y, x.y).iter().map(|i| i + y) }",
-            "fn f(x: f64) -> f64 { let y = x * 2.0; g(y, x.y).iter().map(|i| i + i) }",
+            "fn f(x: f64) -> Hit { let y = x * 3.0; g(y).map(|i| Hit { t: i, y }) }",
+            "fn f(x: f64) -> Hit { let y = x + 2.0; g(y).map(|i| Hit { t: i, y }) }",
+            "fn f(x: f64) -> Hit { let mut y = x * 2.0; g(y).map(|i| Hit { t: i, y }) }",
+            "fn f(x: f64) -> Hit { let y = x * 2.0; g(y).map(|i| Hit { t: -i, y }) }",
+            "fn f(x: f64) -> Box { let y = x * 2.0; g(y).map(|i| Hit { t: i, y }) }",
         ] {
             assert_ne!(tokens(other), plain, "{other}");
         }
+        assert_eq!(
+            tokens("const EPSILON: f64 = 1e-9;"),
+            tokens("const TINY: f64 = 1e-9;")
+        );
+        assert_ne!(tokens("if x { y }"), tokens("while x { y }"));
+    }
+
+    #[test]
+    fn equal_tokens_with_other_points_are_not_the_same_answer() {
+        use crate::grade::record::PartSummary;
+        use crate::grade::record::tests::graded;
+        let known = KnownAnswers {
+            named: BTreeMap::from([(("plane".into(), "a".into()), "the reference".into())]),
+            stubs: Vec::new(),
+        };
+        let record = |id: &str, points: u32, examples: u32| {
+            let mut record = graded(id, 1, 1);
+            record.tokens.insert("plane".into(), "a".into());
+            record.got.tasks.push(right("plane"));
+            let mut record = RecordSummary::from(record);
+            let group = |name: &str, points| PartSummary {
+                name: name.into(),
+                points,
+                possible: 2,
+                status: pinhole_course::outcome::Status::Graded,
+            };
+            record.tasks[0].groups = Box::new([group("near", points), group(EXAMPLES, examples)]);
+            record
+        };
+        let records = [
+            record("ada", 2, 2),
+            record("bob", 2, 0),
+            record("cy", 0, 2),
+            record("dan", 0, 0),
+            record("eve", 1, 0),
+        ];
+        let alike = known.shared_answers(&records.iter().collect::<Vec<_>>());
+        let alike: Vec<String> = alike
+            .iter()
+            .map(|it| format!("{} are {}", it.who.join(" "), it.to))
+            .collect();
+        assert_eq!(
+            alike,
+            ["cy dan are each other", "ada bob are the reference"]
+        );
     }
 
     #[test]
