@@ -68,12 +68,8 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFi
         "name a submission, or a folder of submissions",
     )?;
     let is_folder = metadata.is_dir();
-    let mut reader = Reader {
-        is_answer,
-        found: Vec::new(),
-        of_each: BTreeMap::new(),
-        whole: (!is_folder).then(|| Rc::new(Limits::of_archive(metadata.len()))),
-    };
+    let whole = (!is_folder).then(|| Rc::new(Limits::of_archive(metadata.len())));
+    let mut reader = Reader::new(is_answer, whole);
     if is_folder {
         folder::read(&mut reader, path).or_fail(&text::unreadable(path))?;
     } else {
@@ -100,7 +96,16 @@ struct SubmissionReadBudget {
     is_over: bool,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    fn new(is_answer: &'a dyn Fn(&str) -> bool, whole: Option<Rc<Limits>>) -> Reader<'a> {
+        Reader {
+            is_answer,
+            found: Vec::new(),
+            of_each: BTreeMap::new(),
+            whole,
+        }
+    }
+
     /// How many parts of a path distinguish submissions. In an archive, there may be a folder
     /// around everything. But everything in an archive inside the archive belongs to one
     /// submission.

@@ -21,7 +21,7 @@ pub struct Limits {
     pub files: Limit,
     /// What an archive's submissions may take without counting for the archive, in all.
     reserved: Limit,
-    until: Option<Instant>,
+    pub until: Option<Instant>,
     whole: Option<Rc<Limits>>,
 }
 

@@ -32,16 +32,18 @@ pub fn read(
 }
 
 fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
-    let mut file = BufReader::new(file);
+    let limits = reader.limits(path);
+    let limited = |inner: Box<dyn Read>| LimitedStream {
+        inner,
+        limits: limits.clone(),
+        of: |it| &it.passed,
+    };
+    // Compressed bytes count too, because they may unpack to nothing.
+    let mut file = BufReader::new(limited(Box::new(file)));
     let start = io::BufRead::fill_buf(&mut file).map_err(|error| error.to_string())?;
     let unpacked: Box<dyn Read> = match start.starts_with(b"\x1f\x8b") {
-        true => Box::new(MultiGzDecoder::new(file)),
+        true => Box::new(limited(Box::new(MultiGzDecoder::new(file)))),
         false => Box::new(file),
-    };
-    let unpacked = LimitedStream {
-        inner: unpacked,
-        limits: reader.limits(path),
-        of: |it| &it.passed,
     };
     let spoilt = |error: io::Error| format!("its contents make no sense ({error})");
     let mut archive = Archive::new(unpacked);
@@ -105,4 +107,38 @@ fn name_in(bytes: &[u8]) -> Option<Vec<u8>> {
     let fields = PaxExtensions::new(bytes).flatten();
     let mut names = fields.filter(|field| field.key_bytes() == b"path");
     names.next().map(|field| field.value_bytes().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::io::Seek;
+    use std::rc::Rc;
+    use std::time::{Duration, Instant};
+
+    use super::super::limits::Limits;
+    use super::*;
+
+    #[test]
+    fn clock_ends_the_reading_of_an_archive_that_unpacks_to_nothing() {
+        let empty = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
+        let empty = empty.finish().expect("memory can be written");
+        let length = 1000 * empty.len() as u64;
+        let read_until = |until| {
+            let mut file = tempfile::tempfile().expect("there is room");
+            let written = file.write_all(&empty.repeat(1000));
+            written.and_then(|()| file.rewind()).expect("there is room");
+            // Both share a position.
+            let mut same = file.try_clone().expect("it is open");
+            let mut limits = Limits::of_one(None);
+            limits.until = Some(until);
+            let mut reader = Reader::new(&|_| true, Some(Rc::new(limits)));
+            let result = super::read(&mut reader, file, &[], 0);
+            (result, same.stream_position().expect("it is open"))
+        };
+        let (result, position) = read_until(Instant::now() + Duration::from_secs(60));
+        assert!(result.is_ok() && position == length, "{position}");
+        let (result, position) = read_until(Instant::now());
+        assert!(matches!(result, Err(ReadFailure::Unreadable(why)) if why == TOO_SLOW));
+        assert!(position < length, "{position}");
+    }
 }
