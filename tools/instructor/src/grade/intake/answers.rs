@@ -153,9 +153,9 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     }
     // Files that the course's repository has in the same places are not the student's.
     let is_ours = |path: &[String]| {
-        let inside = roots.iter().filter_map(|root| path.strip_prefix(&root[..]));
+        let inside = (0..path.len()).filter(|at| roots.contains(&path[..*at]));
         let course = assignment.course();
-        let mut places = inside.map(|rest| course.join(rest.iter().collect::<PathBuf>()));
+        let mut places = inside.map(|at| course.join(path[at..].iter().collect::<PathBuf>()));
         places.any(|place| place.is_file())
     };
     let differs = |(file, one): &&(String, Candidate)| {

@@ -316,3 +316,21 @@ fn no_name_harms_its_readers() {
         );
     });
 }
+
+#[test]
+fn thousands_of_copies_of_the_repository_are_read_quickly() {
+    let export = Export::new();
+    let copy = |k: usize| {
+        let own = (format!("{k}/handout/src/plane.rs"), b"mine".to_vec());
+        [own, (format!("{k}/plane.rs"), b"other".to_vec())]
+    };
+    let files: Files = (0..20_000).flat_map(copy).collect();
+    export.put("class/mallory.tar.gz", &tar_gz(&files));
+    export.put("class/ada.zip", &zip(&answers("", "ada")));
+    let start = std::time::Instant::now();
+    let intake = export.find("class");
+    let took = start.elapsed();
+    let doubts = intake.entries[1].doubts.join("; ");
+    assert!(doubts.contains("19995 more like these"), "{doubts}");
+    assert!(took < std::time::Duration::from_secs(15), "{took:?}");
+}
