@@ -10,21 +10,34 @@ use crate::error::{Error, Result};
 /// # Errors
 /// If there is a link.
 pub fn refuse(path: &Path) -> Result<()> {
-    let Some(link) = first(path) else {
-        return Ok(());
-    };
-    Err(Error::input(
+    first(path).map_or(Ok(()), |link| Err(refusal(&link)))
+}
+
+/// Refuses such a path of a submission, and also a path like `.` if it stands for a folder that was
+/// entered through a link, whose name would be taken for the student's.
+///
+/// # Errors
+/// If there is a link.
+pub fn refuse_input(path: &Path) -> Result<()> {
+    match is_renamed(path) {
+        true => Err(refusal(path)),
+        false => refuse(path),
+    }
+}
+
+fn refusal(link: &Path) -> Error {
+    Error::input(
         format!(
             "{} is a link, or leads through one, and a student may have made it",
             link.display()
         ),
-        "name a folder that is not a link and contains none, by its full path",
-    ))
+        "name a place that is not a link and contains none, by its full path",
+    )
 }
 
 /// The first part of a path that is a link, or that leads through a link by `..`. Only the last
 /// part of an absolute path is looked at, because nobody types a full path by accident.
-pub fn first(path: &Path) -> Option<PathBuf> {
+fn first(path: &Path) -> Option<PathBuf> {
     // With a slash at its end, the path would be that of what a link leads to.
     let plain: PathBuf = path.components().collect();
     if plain.is_absolute() {
@@ -63,7 +76,7 @@ fn typed_folder() -> Option<PathBuf> {
 
 /// Whether a path without a name of its own, such as `.`, may stand for a folder that was entered
 /// through a link of another name.
-pub fn is_renamed(path: &Path) -> bool {
+fn is_renamed(path: &Path) -> bool {
     if path.file_name().is_some() {
         return false;
     }

@@ -36,7 +36,7 @@ use self::roster::Person;
 use self::source::Source;
 use super::provenance::{self, sha256};
 use pinhole_course::assignment::{Assignment, Task, examples_file};
-use pinhole_course::error::{Error, Result};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::link;
 use pinhole_course::submission::{Answer, AnswerFileProblem, Submission, text};
 
@@ -129,26 +129,28 @@ pub fn find(
     let mut sources = Vec::new();
     let mut intake = Intake::default();
     for path in paths {
-        // A link may be a student's, and lead to another's answers or to ours.
-        let is_link = link::first(path).is_some() || link::is_renamed(path);
-        if is_link && path.exists() {
-            if paths.len() == 1 {
-                return Err(Error::input(
-                    format!(
-                        "{} is a link, or was perhaps entered through one, and a student may have made it",
-                        path.display()
-                    ),
-                    "pass the folder or the archive that it leads to, by its name",
-                ));
+        // A slash at its end would lead through a link.
+        let path = &path.components().collect::<PathBuf>();
+        // Perhaps it is mistyped, and the path of a class.
+        path.symlink_metadata().or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a submission, or a folder of submissions",
+        )?;
+        let read = link::refuse_input(path).and_then(|()| reader::read(path, &is_answer));
+        let (found, is_archive) = match read {
+            Ok(read) => read,
+            Err(error) if paths.len() == 1 => return Err(error),
+            // A student may have made it so that nobody is graded.
+            Err(error) => {
+                intake.ignored.push(error.problem);
+                continue;
             }
-            intake.ignored.push(format!("{} (a link)", path.display()));
-            continue;
-        }
+        };
         let mut source = Source {
             name: name(path),
-            is_archive: path.is_file(),
+            is_archive,
             is_only: paths.len() == 1,
-            found: reader::read(path, &is_answer)?,
+            found,
             is_on_roster: &is_on_roster,
             is_id: &is_id,
         };
@@ -286,10 +288,11 @@ fn real(path: &Path) -> String {
     text::name(absolute.as_os_str().as_encoded_bytes())
 }
 
-/// A path's name, for people to read.
+/// A path's name, for people to read. It does not change if the path becomes a link meanwhile.
 fn name(path: &Path) -> String {
-    let absolute = path.canonicalize().unwrap_or(path.into());
-    text::name(absolute.file_name().unwrap_or_default().as_encoded_bytes())
+    let real = path.canonicalize().unwrap_or_default();
+    let name = path.file_name().or(real.file_name());
+    text::name(name.unwrap_or_default().as_encoded_bytes())
 }
 
 /// The length at which names are cut.

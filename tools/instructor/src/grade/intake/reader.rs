@@ -12,14 +12,13 @@ mod unpack;
 mod zip_file;
 
 use std::collections::BTreeMap;
-use std::fs::File;
 use std::path::Path;
 use std::rc::Rc;
 
 use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
 pub use self::unpack::utf_16;
-use pinhole_course::error::{Result, ResultExt};
+use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};
 
@@ -58,25 +57,30 @@ const MOST_FOLDERS: usize = 40;
 const MOST_NAME: usize = 4096;
 const MOST_PARTS: usize = 100;
 
-/// Reads everything in a folder or an archive. `is_answer` recognises the names of answer files.
+/// Reads everything in a folder or an archive, and returns whether it is an archive. `is_answer`
+/// recognises the names of answer files. Neither follows a link nor waits for another process.
 ///
 /// # Errors
-/// If there is nothing at that path.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Vec<FoundFile>> {
-    let metadata = path.metadata().or_input(
-        format_args!("cannot read {}", path.display()),
-        "name a submission, or a folder of submissions",
-    )?;
-    let is_folder = metadata.is_dir();
-    let whole = (!is_folder).then(|| Rc::new(Limits::of_archive(metadata.len())));
-    let mut reader = Reader::new(is_answer, whole);
-    if is_folder {
-        folder::read(&mut reader, path).or_fail(&text::unreadable(path))?;
-    } else {
-        let file = File::open(path).or_fail(&text::unreadable(path))?;
-        reader.archive(file, &[], 0);
+/// If it can't be read, or is neither a folder nor a regular file.
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundFile>, bool)> {
+    let unreadable = text::unreadable(path);
+    if path.symlink_metadata().or_fail(&unreadable)?.is_dir() {
+        let mut reader = Reader::new(is_answer, None);
+        folder::read(&mut reader, path).or_fail(&unreadable)?;
+        return Ok((reader.found, false));
     }
-    Ok(reader.found)
+    let file = text::open(path).or_fail(&unreadable)?;
+    let metadata = file.metadata().or_fail(&unreadable)?;
+    if !metadata.is_file() {
+        return Err(Error::input(
+            format!("{} is neither a folder nor a regular file", path.display()),
+            "name a submission, or a folder of submissions",
+        ));
+    }
+    let whole = Rc::new(Limits::of_archive(metadata.len()));
+    let mut reader = Reader::new(is_answer, Some(whole));
+    reader.archive(file, &[], 0);
+    Ok((reader.found, true))
 }
 
 struct Reader<'a> {

@@ -500,6 +500,8 @@ fn a_link_is_no_submission() {
     fs::create_dir(&own).expect("there is room");
     fs::write(own.join("sphere.rs"), "").expect("there is room");
     std::os::unix::fs::symlink("1001", &link).expect("there is room");
+    // Even if it becomes a link only while it is read.
+    assert_eq!(name(&link), "1002");
     let linked = [link.clone(), link.join("")];
     for path in &linked {
         let refused = find(std::slice::from_ref(path), &assignment(), None);

@@ -9,7 +9,7 @@ use super::file_names::is_skipped;
 use super::unpack::UnreadFile;
 use super::{Content, MOST_FOLDERS, Reader};
 
-/// Reads the folder at a path. The path itself may be a link, because the lecturer chose it.
+/// Reads the folder at a path, which is not followed if it has become a link.
 pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {
     let folder = held::Folder::open(path)?;
     walk(reader, &folder, &mut Vec::new())
@@ -100,6 +100,7 @@ mod held {
 
     const FOLDER: OFlags = OFlags::RDONLY
         .union(OFlags::DIRECTORY)
+        .union(OFlags::NOFOLLOW)
         .union(OFlags::CLOEXEC);
     /// How files are opened: without following links, and without waiting for a writer.
     const FILE: OFlags = OFlags::RDONLY
@@ -139,7 +140,7 @@ mod held {
 
         /// A folder in it; `None` if it has been replaced.
         pub fn folder(&self, name: &OsStr) -> io::Result<Option<Folder>> {
-            let opened = openat(&self.0, name, FOLDER | OFlags::NOFOLLOW, Mode::empty());
+            let opened = openat(&self.0, name, FOLDER, Mode::empty());
             Ok(still(opened)?.map(Folder))
         }
 
@@ -209,5 +210,23 @@ mod held {
         pub fn file(&self, name: &OsStr) -> io::Result<Option<File>> {
             super::regular(File::open(self.0.join(name))?)
         }
+    }
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn folder_that_has_become_a_link_is_not_read() {
+        let folder = tempfile::tempdir().expect("there is room");
+        let [ada, mallory] = ["ada", "mallory"].map(|name| folder.path().join(name));
+        std::fs::create_dir(&ada).expect("there is room");
+        std::fs::write(ada.join("answer.rs"), "").expect("there is room");
+        std::os::unix::fs::symlink(&ada, &mallory).expect("there is room");
+        let mut reader = Reader::new(&|_| true, None);
+        assert!(read(&mut reader, &mallory).is_err());
+        assert_eq!(reader.found, []);
+        assert!(read(&mut reader, &ada).is_ok());
     }
 }

@@ -103,18 +103,11 @@ impl Reader<'_> {
     }
 
     fn open(&mut self, mut file: File, path: &[String], depth: usize) -> Result<(), ReadFailure> {
-        let unreadable =
-            |error: io::Error| ReadFailure::Unreadable(format!("it cannot be read ({error})"));
-        if !file.metadata().map_err(unreadable)?.is_file() {
-            return Err(ReadFailure::Refused(
-                "it is neither a folder nor a regular file".into(),
-            ));
-        }
         let mut start = Vec::new();
         file.rewind()
             .and_then(|()| (&mut file).take(512).read_to_end(&mut start))
             .and_then(|_| file.rewind())
-            .map_err(unreadable)?;
+            .map_err(|error| ReadFailure::Unreadable(format!("it cannot be read ({error})")))?;
         if start.starts_with(b"\x1f\x8b") || tarball::begins(&start) {
             return tarball::read(self, file, path, depth);
         }

@@ -11,7 +11,7 @@ fn damaged_archives_do_not_harm_the_reader() {
     bolero::check!().for_each(|bytes| {
         export.put("ada.zip", bytes);
         let found = reader::read(&export.path("ada.zip"), &|name| name.ends_with(".rs"));
-        for file in found.expect("it is there") {
+        for file in found.expect("it is there").0 {
             let is_plain = |part: &String| !["", ".", ".."].contains(&part.as_str());
             assert!(file.path.iter().all(is_plain), "{file:?}");
         }
@@ -187,7 +187,7 @@ fn long_names_in_an_archive_take_little_memory() {
     for files in [files, short] {
         export.put("class/mallory.tar.gz", &tar_gz(&files));
         let path = export.path("class");
-        let found = reader::read(&path, &|name| name == "plane.rs").expect("it is there");
+        let (found, _) = reader::read(&path, &|name| name == "plane.rs").expect("it is there");
         let parts: usize = found.iter().map(|it| 64 * it.path.len()).sum();
         assert!(parts < 17 << 20, "{parts}");
         let intake = export.find("class");
@@ -317,20 +317,50 @@ fn no_name_harms_its_readers() {
     });
 }
 
+#[cfg(target_os = "linux")]
 #[test]
-fn thousands_of_copies_of_the_repository_are_read_quickly() {
+fn a_path_that_cannot_be_read_stops_nobody_else() {
     let export = Export::new();
-    let copy = |k: usize| {
-        let own = (format!("{k}/handout/src/plane.rs"), b"mine".to_vec());
-        [own, (format!("{k}/plane.rs"), b"other".to_vec())]
+    export.put_all("ada", answers("", "ada"));
+    std::os::unix::fs::symlink("nowhere", export.path("bob")).expect("links work here");
+    let pipe = std::process::Command::new("mkfifo")
+        .arg(export.path("eve"))
+        .status();
+    assert!(pipe.is_ok_and(|status| status.success()));
+    std::os::unix::net::UnixListener::bind(export.path("mallory")).expect("there is room");
+    let find_all = move |names: &[&str]| {
+        let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
+        find(&paths, &assignment(), None)
     };
-    let files: Files = (0..20_000).flat_map(copy).collect();
-    export.put("class/mallory.tar.gz", &tar_gz(&files));
-    export.put("class/ada.zip", &zip(&answers("", "ada")));
-    let start = std::time::Instant::now();
-    let intake = export.find("class");
-    let took = start.elapsed();
-    let doubts = intake.entries[1].doubts.join("; ");
-    assert!(doubts.contains("19995 more like these"), "{doubts}");
-    assert!(took < std::time::Duration::from_secs(15), "{took:?}");
+    let (sender, results) = std::sync::mpsc::channel();
+    std::thread::spawn(move || {
+        for names in [
+            &["bob", "ada", "eve", "mallory"][..],
+            &["bob"],
+            &["eve"],
+            &["mallory"],
+            &["ada", "zoe"],
+        ] {
+            let sent = sender.send(find_all(names).map_err(|error| error.problem));
+            sent.expect("somebody waits for it");
+        }
+    });
+    let next = || {
+        let next = results.recv_timeout(std::time::Duration::from_secs(60));
+        next.expect("it is not waited for")
+    };
+    let all = next().expect("one can be read");
+    assert_eq!((all.entries.len(), &*all.entries[0].name), (1, "ada"));
+    let reasons = [
+        "bob is a link",
+        "eve is neither a folder nor a regular file",
+        "cannot read ",
+    ];
+    for why in reasons {
+        let count = all.ignored.iter().filter(|it| it.contains(why)).count();
+        assert_eq!(count, 1, "{why}: {:?}", all.ignored);
+        assert!(next().is_err_and(|it| it.contains(why)), "{why}");
+    }
+    // It may be mistyped, and the path of a class.
+    assert!(next().is_err_and(|it| it.contains("zoe: No such file")));
 }
