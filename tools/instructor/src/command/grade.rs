@@ -70,6 +70,10 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
             let one = "to add or replace submissions, pass the path of each, not of the folder \
                        around them, and leave out --shard";
             replace::refuse_partial_class(&roll, &earlier, one)?;
+            // A class of another version is graded again.
+            if let Ok(class) = Roll::read(&earlier) {
+                roll.note_changes(&class);
+            }
             roll
         }
     };
@@ -349,6 +353,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         ignored: intake.ignored,
         passed: intake.passed,
         policy,
+        changed: BTreeMap::new(),
     };
     roll.place();
     Ok(roll)

@@ -26,7 +26,11 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
     if let Some(path) = &arguments.policy {
-        roll.policy = Some(Policy::read(path, &assignment)?);
+        let policy = Policy::read(path, &assignment)?;
+        if policy.times != roll.times() {
+            roll.changed.clear();
+        }
+        roll.policy = Some(policy);
         roll.place();
     }
     let earlier = arguments.out.join(ROLL);
@@ -80,6 +84,10 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
         );
     }
     class::sort_changes(&mut run.changes);
+    // A class of another version is merged again.
+    if let Ok(class) = Roll::read(&earlier) {
+        roll.note_changes(&class);
+    }
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {
         cache: &cache,
@@ -250,7 +258,9 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
             folder: shard,
             entries: entries.map(|it| (it.id.clone(), it.clone())).collect(),
         });
-        common = Some(roll);
+        let changed = common.take().map(|it| it.changed);
+        let roll = common.insert(roll);
+        roll.changed.extend(changed.unwrap_or_default());
     }
     let common =
         common.ok_or_else(|| Error::input("no part has results", "name the parts' --out folders"));

@@ -19,6 +19,7 @@ use super::intake::roster::Person;
 use super::intake::{self, Entry};
 use super::policy::Policy;
 use super::policy::mark::Mark;
+use super::policy::times::TimeLine;
 use super::record::{Record, RecordSummary, TaskSummary};
 use super::shared_answers::{self, KnownAnswers, SharedAnswer, SharedPair};
 use pinhole_course::error::{Result, ResultExt};
@@ -41,7 +42,13 @@ pub struct Roll {
     /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
+    /// The answers that submissions of a name had when the table of times was passed first, if they
+    /// have others now: see [`Roll::note_changes`].
+    pub changed: BTreeMap<String, Vec<Answers>>,
 }
+
+/// See [`Entry::answers`].
+type Answers = Option<Vec<(String, String)>>;
 
 impl Roll {
     /// Reads the roll of a class that was graded into a folder.
@@ -57,11 +64,11 @@ impl Roll {
     }
 
     /// Whether another roll has the same submissions, roster and policy. They may have been read from
-    /// other paths.
+    /// other paths, and their answers may have changed.
     pub fn has_same_submissions(&self, other: &Roll) -> bool {
-        let passed = other.passed.clone();
         let here = Roll {
-            passed,
+            passed: other.passed.clone(),
+            changed: other.changed.clone(),
             ..self.clone()
         };
         here == *other
@@ -99,6 +106,7 @@ impl Roll {
     /// replace earlier ones of the same name, and all others stay.
     pub fn into_class(self, mut class: Roll) -> Roll {
         let new = self.keys();
+        let old = class.clone();
         class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
@@ -108,8 +116,43 @@ impl Roll {
         class.ignored.dedup();
         class.placed.superseded.extend(self.placed.superseded);
         class.policy = self.policy.or(class.policy);
+        class.changed.clear();
+        class.note_changes(&old);
         class.place();
         class
+    }
+
+    /// The lines of the table of times; none without a table.
+    pub fn times(&self) -> &[TimeLine] {
+        self.policy.as_ref().map_or(&[], |policy| &policy.times)
+    }
+
+    /// Notes which submissions are new, or have other answers than in the class that was graded into
+    /// the same folder before. If the table of times is still the same, it may say when the earlier
+    /// answers were handed in.
+    pub fn note_changes(&mut self, class: &Roll) {
+        if self.times() != class.times() {
+            return;
+        }
+        let mut old = class.answers();
+        old.extend(class.changed.clone());
+        for (key, answers) in self.answers() {
+            let old = old.remove(&key).unwrap_or_default();
+            if old != answers {
+                self.changed.entry(key).or_insert(old);
+            }
+        }
+    }
+
+    /// The answers of all submissions of each name.
+    fn answers(&self) -> BTreeMap<String, Vec<Answers>> {
+        let mut answers: BTreeMap<String, Vec<Answers>> = BTreeMap::new();
+        for entry in &self.entries {
+            let of_name = answers.entry(entry.key().into()).or_default();
+            of_name.push(entry.answers.clone());
+            of_name.sort();
+        }
+        answers
     }
 
     /// Finds each submission's person, and the people for whom nothing was handed in, not even by

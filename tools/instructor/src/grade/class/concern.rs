@@ -4,6 +4,7 @@
 use serde::Serialize;
 
 use super::{Roll, Row};
+use crate::grade::intake::Entry;
 use crate::grade::intake::roster::Person;
 use pinhole_course::outcome::Status;
 
@@ -20,7 +21,7 @@ impl Roll {
     /// All concerns of a class, the most serious first.
     pub fn concerns(&self) -> Vec<Concern> {
         let placed = &self.placed;
-        let entries = |of: &dyn Fn(&crate::grade::intake::Entry) -> &Vec<String>| {
+        let entries = |of: &dyn Fn(&Entry) -> &Vec<String>| {
             let with = self.entries.iter().filter(|entry| !of(entry).is_empty());
             with.map(|entry| format!("{}: {}", self.called(&entry.id), of(entry).join("; ")))
                 .collect::<Vec<_>>()
@@ -32,7 +33,10 @@ impl Roll {
         });
         let superseded = placed.superseded.iter();
         let superseded = superseded.map(|(upload, id)| format!("{upload} (graded: {id})"));
-        let all: [(&str, bool, Vec<String>); 9] = [
+        let has_old_time = |it: &&Entry| self.changed.contains_key(it.key());
+        let with_old_times = self.entries.iter().filter(has_old_time);
+        let with_old_times = with_old_times.filter(|_| !self.times().is_empty());
+        let all: [(&str, bool, Vec<String>); 10] = [
             (
                 "with missing or refused answer files",
                 true,
@@ -53,6 +57,12 @@ impl Roll {
                 self.names(&placed.by_name),
             ),
             ("not part of any submission", true, self.ignored.clone()),
+            (
+                "new, or with other answers than before, but with the same table of times, which may \
+                 say when earlier answers were handed in: pass a newer table (`times` in policy.toml)",
+                true,
+                with_old_times.map(|it| self.called(&it.id)).collect(),
+            ),
             ("who handed in nothing", false, people(&placed.missing)),
             (
                 "read despite an unexpected name, encoding or number of uploads",

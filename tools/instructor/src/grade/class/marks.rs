@@ -49,6 +49,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, RecordSummary>) ->
 #[derive(Default)]
 struct Open {
     late_sometime: Vec<String>,
+    late_by_name: Vec<String>,
     unknown: Vec<String>,
     contested: Vec<String>,
     undecided: Vec<String>,
@@ -110,6 +111,12 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             open.late_sometime,
         ),
         (
+            "late by the platform's name for the files, but not by the table of times: counted as on \
+             time; pass a newer table (`times` in policy.toml)",
+            true,
+            open.late_by_name,
+        ),
+        (
             "in the table of times under an id or login that may be another person's: counted as on \
              time; correct that table, or put a column `id` into it",
             true,
@@ -154,6 +161,8 @@ struct Attempt {
     at: usize,
     id: String,
     lateness: Lateness,
+    /// Whether it is late according to the names of its files, whatever the table of times says.
+    is_late_by_name: bool,
     time: Option<HandInTime<jiff::Timestamp>>,
     judged: Option<JudgedPoints>,
     /// An id or login that the table of times may list for another person; see
@@ -170,10 +179,12 @@ impl Attempt {
         let handed_in = policy.handed_in(row.entry, row.person, people);
         let contested = handed_in.as_ref().err().cloned();
         let time = handed_in.unwrap_or_default();
+        let by_name = policy.lateness(policy.named(row.entry), team);
         Attempt {
             at,
             id: row.entry.id.clone(),
             lateness: policy.lateness(time, team),
+            is_late_by_name: matches!(by_name, Lateness::Late { .. } | Lateness::LateSometime),
             time,
             contested,
             judged: row
@@ -256,6 +267,9 @@ fn give<'a>(
                     Some(key) => open.contested.push(format!("{}: {key}", counts.id)),
                     None => open.unknown.push(counts.id.clone()),
                 },
+                Lateness::InTime if counts.is_late_by_name => {
+                    open.late_by_name.push(counts.id.clone());
+                }
                 Lateness::InTime | Lateness::Late { .. } => {}
             }
         }

@@ -235,18 +235,22 @@ impl Policy {
         if let ListedTime::At(time) = listed {
             return Ok(Some(HandInTime::At(time)));
         }
-        let named = names::handed_in(&entry.given).map(|named| match named {
+        match (self.named(entry), listed) {
+            (None, ListedTime::Contested(key)) => Err(key),
+            (named, _) => Ok(named),
+        }
+    }
+
+    /// When a submission was handed in, according to the names of its files.
+    pub fn named(&self, entry: &Entry) -> Option<HandInTime<Timestamp>> {
+        names::handed_in(&entry.given).map(|named| match named {
             HandInTime::Late => HandInTime::Late,
             HandInTime::At(local) => {
                 let time = local.to_zoned(self.zone()).map(|time| time.timestamp());
                 // Only an uploader writes a time that is beyond the last one there is.
                 HandInTime::At(time.unwrap_or(Timestamp::MAX))
             }
-        });
-        match (named, listed) {
-            (None, ListedTime::Contested(key)) => Err(key),
-            (named, _) => Ok(named),
-        }
+        })
     }
 
     /// The deadline of these people: the latest that any of them has.

@@ -160,7 +160,8 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let grace = grace.to_str().expect("a plain name");
     on_small_assignment(&["grade", grace, "--no-fresh", "--out", &out])
         .expect_code(1)
-        .expect_out("of 7 people on the roster, 6 are graded");
+        .expect_out("of 7 people on the roster, 6 are graded")
+        .expect_out(OLD_TIMES);
     let again = class.read("out/grades.csv");
     assert_eq!(marks_by_id(&again).len(), 7);
     let grace = marks_by_id(&again).into_iter().find(|(id, ..)| id == "3");
@@ -170,6 +171,38 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
         !class.folder.join("out/groups.csv").exists(),
         "nobody asked for it"
     );
+    old_times_are_listed_wherever_marks_are(&class, &[&line[..], &more].concat());
+}
+
+const OLD_TIMES: &str = "with the same table of times";
+
+/// Checks that Grace's new answers are listed until there is a newer table of times. `whole` grades
+/// the class.
+fn old_times_are_listed_wherever_marks_are(class: &Class, whole: &[&str]) {
+    on_small_assignment(whole)
+        .expect_code(1)
+        .expect_out(OLD_TIMES);
+    // One part has noticed the change, and the other has not.
+    let roll = class.read("out/roll.json");
+    let mut unaware: serde_json::Value = serde_json::from_str(&roll).expect("it is JSON");
+    unaware["changed"] = serde_json::json!({});
+    put(
+        &class.folder,
+        &[("part/roll.json".into(), unaware.to_string().into_bytes())],
+    );
+    let [out, part, merged] = ["out", "part", "merged"].map(|name| class.path(name));
+    let [policy, new] = ["policy.toml", "new"].map(|name| class.path(name));
+    let merge = |more: &[&str]| {
+        let ran = on_small_assignment(&[&["merge"], more, &["--policy", &policy]].concat());
+        ran.expect_code(1).out.contains(OLD_TIMES)
+    };
+    assert!(merge(&[&out, &part, "--out", &new]));
+    // No part has noticed the change, but the class was merged before.
+    fs::write(class.folder.join("out/roll.json"), unaware.to_string()).expect("there is room");
+    assert!(merge(&[&out, "--out", &merged]));
+    let newer = TIMES.replace("3,2026-11-20", "3,2026-11-19");
+    fs::write(class.folder.join("times.csv"), newer).expect("there is room");
+    assert!(!merge(&[&merged, "--out", &new]));
 }
 
 const POLICY: &str = "time_zone = 'Europe/Berlin'\ndeadline = '2026-11-20 23:59'\n\

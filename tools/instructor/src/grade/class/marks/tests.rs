@@ -376,3 +376,77 @@ fn two_groups_of_one_name_get_their_own_marks() {
         expected.map(|(person, points)| (person.to_owned(), points))
     );
 }
+
+#[test]
+fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
+    let line = |day: u32| TimeLine {
+        keys: vec![(TimeKey::Id, "ada".into())],
+        at: format!("2026-11-{day}T11:00:00Z").parse().ok(),
+    };
+    let class = |all: &[(&str, &str)], times: &[TimeLine]| {
+        let entries = all.iter().map(|(id, answers)| Entry {
+            answers: Some(vec![("any".into(), (*answers).into())]),
+            ..entry(id, id, id)
+        });
+        let mut roll = roll(entries.collect(), RULES, &[]);
+        roll.policy.as_mut().expect("it has one").times = times.to_vec();
+        roll
+    };
+    let listed = |roll: &Roll| {
+        let concerns = roll.concerns().into_iter();
+        let mut of_times = concerns.filter(|it| it.what.contains("same table of times"));
+        of_times.next().map_or_else(Vec::new, |it| it.which)
+    };
+    let [old, new] = [&[line(20)], &[line(25)]];
+    let again = |roll: &Roll, mut next: Roll| {
+        next.note_changes(roll);
+        next
+    };
+    let first = class(&[("ada", "a"), ("bob", "b")], old);
+    assert_eq!(listed(&again(&first, first.clone())), [""; 0]);
+    let ada = || class(&[("ada", "new")], old);
+    let all = [("ada", "new"), ("bob", "b"), ("eve", "e")];
+    for (whole, ids) in [
+        (again(&first, class(&all, old)), &["ada", "eve"][..]),
+        (ada().into_class(first.clone()), &["ada"]),
+    ] {
+        assert_eq!(listed(&whole), ids);
+        // They are listed in later runs, too.
+        let mut same = whole.clone();
+        same.changed.clear();
+        assert_eq!(listed(&again(&whole, same)), ids);
+        let bob = class(&[("bob", "b")], old);
+        assert_eq!(listed(&bob.into_class(whole.clone())), ids);
+        let ada = class(&[("ada", "a")], old);
+        assert_eq!(listed(&ada.into_class(whole.clone())), ids[1..]);
+        let [newer, restored] = [(&all[..], new), (&[("ada", "a"), ("bob", "b")], old)]
+            .map(|(all, times)| listed(&again(&whole, class(all, times))));
+        assert_eq!((newer, restored), (Vec::new(), Vec::new()));
+    }
+    let none = class(&[("ada", "a")], &[]);
+    assert_eq!(listed(&class(&all, &[]).into_class(none)), [""; 0]);
+}
+
+#[test]
+fn late_files_that_are_in_time_by_the_table_of_times_are_listed() {
+    let canvas = "ada_LATE_1_2_a.zip";
+    for (name, time, is_listed) in [
+        (LATE, "11:00", true),
+        (canvas, "11:00", true),
+        (EARLY, "11:00", false),
+        (LATE, "13:00", false),
+    ] {
+        let mut roll = roll(vec![entry("one", "ada", name)], RULES, &[]);
+        let policy = roll.policy.as_mut().expect("it has one");
+        policy.times.push(TimeLine {
+            keys: vec![(TimeKey::Id, "ada".into())],
+            at: format!("2026-11-20T{time}:00Z").parse().ok(),
+        });
+        let concerns = rows(&roll, &BTreeMap::new()).concerns;
+        let of_name = concerns
+            .iter()
+            .filter(|it| it.what.contains("name for the files"));
+        let which: Vec<&String> = of_name.flat_map(|it| &it.which).collect();
+        assert_eq!(which == ["one"], is_listed, "{name} {time}");
+    }
+}
