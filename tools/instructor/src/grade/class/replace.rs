@@ -1,6 +1,6 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf, absolute};
 
 use super::Roll;
@@ -119,20 +119,16 @@ pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<
     ))
 }
 
-/// Refuses to replace a submission by an archive whose author may have given it that name, and to
-/// replace two submissions by one: the one with its id, and another with its name.
+/// Refuses to replace a submission by an archive, because its author may have given it that name, and
+/// to replace two submissions by one: the one with its id, and another with its name.
 pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
     let here = roll.keys();
     let old = class.entries.iter().filter(|it| here.contains(it.key()));
     let old: Vec<&Entry> = old.collect();
-    let mut strongest: BTreeMap<&str, Proof> = BTreeMap::new();
-    for entry in &old {
-        let at_most = strongest.entry(entry.key()).or_insert(entry.at_most);
-        *at_most = entry.at_most.max(*at_most);
-    }
+    let replaced: BTreeSet<&str> = old.iter().map(|it| it.key()).collect();
     let new = roll.entries.iter();
-    let new = new.filter(|it| strongest.contains_key(it.key()));
-    if new.count() < old.len() {
+    let new: Vec<&Entry> = new.filter(|it| replaced.contains(it.key())).collect();
+    if new.len() < old.len() {
         let ids: Vec<&str> = old.iter().map(|old| &*old.id).collect();
         return Err(Error::input(
             format!(
@@ -142,11 +138,15 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
             "grade the whole class, so that nobody's submission is lost",
         ));
     }
-    let is_weaker = |new: &&Entry| {
-        let old = strongest.get(new.key());
-        old.is_some_and(|old| new.at_most < *old)
+    // Only the name of a folder can prove whose it is.
+    let is_archive = |new: &Entry| new.at_most < Proof::Id;
+    // The same command may be run again.
+    let is_there = |new: &Entry| {
+        let is = |old: &&Entry| old.given == new.given && old.answers == new.answers;
+        old.iter().any(|old| old.key() == new.key() && is(old))
     };
-    let Some(new) = roll.entries.iter().find(is_weaker) else {
+    let mut new = new.into_iter();
+    let Some(new) = new.find(|it| is_archive(it) && !is_there(it)) else {
         return Ok(());
     };
     Err(Error::input(
@@ -158,7 +158,7 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
         format!(
             "if it belongs to the same person, unpack it into a folder named {}, and pass that \
              folder",
-            new.id
+            new.key()
         ),
     ))
 }
@@ -173,18 +173,29 @@ mod tests {
     use crate::grade::intake::matching::Proof;
 
     #[test]
-    fn an_archive_does_not_replace_a_folder_of_its_name() {
-        let named = |at_most| {
-            let mut roll = roll(vec![entry("ada", "ada", "ada")], "time_zone = 'UTC'", &[]);
-            roll.entries[0].at_most = at_most;
-            roll
+    fn an_archive_replaces_no_submission_of_its_name() {
+        let named = |given: &str, at_most, answers: &str| {
+            let entry = Entry {
+                name: given.into(),
+                at_most,
+                answers: Some(vec![("any".into(), answers.into())]),
+                ..entry("ada.2", "ada", given)
+            };
+            roll(vec![entry], "time_zone = 'UTC'", &[])
         };
-        let [folder, archive] = [Proof::Id, Proof::Name].map(named);
-        let refused = refuse_chosen_names(&archive, &folder).expect_err("eve may have named it");
-        assert!(refused.problem.contains("would replace"), "{refused}");
-        for (new, old) in [(&folder, &archive), (&archive, &archive)] {
-            refuse_chosen_names(new, old).expect("it proves as much as the old one");
+        let folder = named("ada", Proof::Id, "old");
+        let [archive, hint] = [Proof::Name, Proof::Hint].map(|it| named("ada.zip", it, "old"));
+        let [new, same] = ["new", "old"].map(|it| named("ada.zip", Proof::Name, it));
+        for old in [&folder, &archive, &hint] {
+            let refused = refuse_chosen_names(&new, old).expect_err("eve may have named it");
+            assert!(refused.problem.contains("would replace"), "{refused}");
+            assert!(refused.remedy.contains("a folder named ada,"), "{refused}");
+            let new = named("ada", Proof::Id, "new");
+            refuse_chosen_names(&new, old).expect("the instructor named it");
         }
+        // A name may say when it was handed in.
+        refuse_chosen_names(&same, &folder).expect_err("its name is another");
+        refuse_chosen_names(&same, &archive).expect("nothing changes");
     }
 
     #[test]
