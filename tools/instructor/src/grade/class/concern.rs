@@ -193,6 +193,7 @@ pub fn sorted(mut all: Vec<Concern>) -> Vec<Concern> {
     all
 }
 
-fn in_words(person: &Person) -> String {
+/// A person's name and id.
+pub fn in_words(person: &Person) -> String {
     format!("{} [{}]", person.name, person.id)
 }

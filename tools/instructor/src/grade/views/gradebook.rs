@@ -4,6 +4,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::csv::Table;
+use crate::grade::class::concern::{Concern, in_words};
 use crate::grade::class::{Class, Row};
 use crate::grade::intake::Entry;
 use crate::grade::intake::matching::is_own_number;
@@ -54,36 +55,50 @@ fn canvas_name(person: &Person) -> String {
 /// `Grade` and `Last modified (grade)`, in the language of the person who uploads. It skips grades
 /// above the assignment's maximum and, unless told otherwise, grades that were changed after that
 /// time.
+///
+/// Moodle's reader (`lib/csvlib.class.php`) takes `\"` for a quotation mark inside a cell, so a cell
+/// that ends in a backslash would swallow others. No cell has text that people choose themselves,
+/// such as a name.
 pub fn moodle(class: &Class) -> String {
     let mut table = Table::new(&[
         "Identifier",
-        "Full name",
         "ID number",
-        "Email address",
         "Grade",
         "Last modified (grade)",
         "Feedback comments",
     ]);
     let accounts = Accounts::new(&class.roll.entries, Platform::Moodle);
     for (person, mark, row) in class.gradebook() {
-        let number_there = accounts.number(person, row);
+        let Some((number_there, id)) = accounts.find(person, row) else {
+            continue;
+        };
         let identifier = match number_there.is_empty() {
             true => String::new(),
             false => format!("Participant {number_there}"),
         };
-        let mut logins = person.logins.iter();
-        let email = logins.find(|login| login.contains('@'));
         table.line(&[
             identifier,
-            person.name.clone(),
-            students_id(person),
-            email.cloned().unwrap_or_default(),
+            id,
             number(mark.last),
             String::new(),
-            comments(mark),
+            comments(mark).replace('\\', "/"),
         ]);
     }
     table.for_machines()
+}
+
+/// People with a mark whom Moodle could not find, so that `moodle.csv` has no line for them.
+pub fn not_on_moodle(class: &Class) -> Option<Concern> {
+    let accounts = Accounts::new(&class.roll.entries, Platform::Moodle);
+    let lost = class.gradebook();
+    let lost = lost.filter(|(person, _, row)| accounts.find(person, row).is_none());
+    let which: Vec<String> = lost.map(|(person, ..)| in_words(person)).collect();
+    (!which.is_empty()).then_some(Concern {
+        what: "not in moodle.csv, because neither their number on Moodle nor their id number is \
+               known: add it to the roster (column `number` or `id`)",
+        which,
+        is_grave: true,
+    })
 }
 
 /// The changes. No cell begins with `+`, which a spreadsheet would take for a formula.
@@ -145,13 +160,24 @@ impl Accounts {
         let named = named.filter(|number| !self.contested.contains(number));
         person.number.clone().or(named).unwrap_or_default()
     }
+
+    /// A person's number on the platform, and the university's id for them; `None` if neither is
+    /// known.
+    fn find(&self, person: &Person, row: &Row) -> Option<(String, String)> {
+        let found = (self.number(person, row), students_id(person));
+        (found != Default::default()).then_some(found)
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::grade::class::Roll;
     use crate::grade::class::marks::rows;
     use crate::grade::class::marks::tests::{entry, roll};
+    use crate::grade::record::RecordSummary;
+    use crate::grade::record::tests::graded;
+    use crate::grade::shared_answers::KnownAnswers;
 
     #[test]
     fn a_number_in_the_names_of_two_people_belongs_to_neither() {
@@ -183,6 +209,46 @@ mod tests {
         let all = rows.own.iter().chain(&rows.shared);
         let numbers = all.map(|row| accounts.number(row.person.expect("a person"), row));
         assert_eq!(numbers.collect::<Vec<_>>(), ["", "2002", ""]);
+    }
+
+    /// What is made of a class in which these people have 60 points each.
+    fn of_class<T>(roll: &mut Roll, people: Vec<Person>, of: impl FnOnce(&Class) -> T) -> T {
+        let entries = people.iter().map(|it| entry(&it.id, &it.id, &it.id));
+        roll.entries = entries.collect();
+        roll.people = Some(people);
+        roll.place();
+        let ids = roll.entries.iter().map(|it| it.id.clone());
+        let records: BTreeMap<String, RecordSummary> = ids
+            .map(|id| (id.clone(), graded(&id, 60, 100).into()))
+            .collect();
+        of(&Class::new("HW", roll, &records, &KnownAnswers::default()))
+    }
+
+    #[test]
+    fn nobodys_name_moves_a_mark_on_moodle() {
+        let person = |id: &str, number: Option<&str>| Person {
+            id: id.into(),
+            name: "Eve,\\".into(),
+            number: number.map(str::to_owned),
+            logins: vec!["\\@example.org".into()],
+            ..Person::default()
+        };
+        let people = vec![
+            person("a@example.org", Some("2001")),
+            person("bob", None),
+            person("c@example.org", None),
+        ];
+        let rules = "[[adjust]]\nid = 'bob'\npoints = 1\nreason = 'see \"C:\\\"'\n";
+        let mut roll = roll(Vec::new(), rules, &[]);
+        let (table, lost) = of_class(&mut roll, people, |class| {
+            (moodle(class), not_on_moodle(class))
+        });
+        let lines = "Identifier,ID number,Grade,Last modified (grade),Feedback comments\n\
+            Participant 2001,,60,,\n\
+            ,bob,61,,\"Changes to your mark: +1: see \"\"C:/\"\"\"\n";
+        assert_eq!(table, lines);
+        let lost = lost.expect("one has no number");
+        assert!(lost.is_grave && lost.which == ["Eve,\\ [c@example.org]"]);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::gradebook;
 use super::page::{self, Audience};
 use super::report;
 use crate::grade::cache::{ResultCache, pretty, standing};
-use crate::grade::class::concern::Concern;
+use crate::grade::class::concern::{self, Concern};
 use crate::grade::class::{Change, Class, Roll};
 use crate::grade::record::RecordSummary;
 use crate::grade::shared_answers::KnownAnswers;
@@ -67,7 +67,7 @@ impl ClassOutput<'_> {
         let ClassOutput {
             cache, assignment, ..
         } = self;
-        let class = Class::new(
+        let mut class = Class::new(
             &assignment.title,
             roll,
             records,
@@ -90,6 +90,10 @@ impl ClassOutput<'_> {
             }
         }
         let asked = |format: Format| self.formats.contains(&format);
+        if asked(Format::Moodle) {
+            class.concerns.extend(gradebook::not_on_moodle(&class));
+            class.concerns = concern::sorted(class.concerns);
+        }
         for (format, name, of) in [
             (
                 Format::Csv,

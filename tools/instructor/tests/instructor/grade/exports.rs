@@ -32,7 +32,7 @@ fn put(folder: &Path, files: &[(String, Vec<u8>)]) {
 /// A roster with semicolons and one byte per letter, as a spreadsheet in Germany writes it.
 const ROSTER: &str = "id;name;section;github\r\n1;Ada Lovelace;A\r\n2;Yu Yang;A\r\n\
     3;Grace Hopper;A\r\n4;Zoë Müller;B\r\n5;Alan Turing;B;alan-turing\r\n\
-    6;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
+    e@uni.example;Emmy Noether;B\r\n7;Gus Ghost;B\r\n";
 
 #[test]
 fn a_class_from_four_places_is_matched_judged_and_summed_up() {
@@ -90,9 +90,10 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let ran = on_small_assignment(&[&line[..], &more, &formats.concat()].concat());
     ran.expect_code(1)
         .expect_out("6 are graded; 1 handed in nothing; 1 submission lacks answer files; ")
-        .expect_out("(Emmy Noether [6]): plane.rs is missing")
+        .expect_out("(Emmy Noether [e@uni.example]): plane.rs is missing")
         .expect_out("`Sphere (1).rs` was taken as `sphere.rs`")
-        .expect_out("Gus Ghost [7]");
+        .expect_out("Gus Ghost [7]")
+        .expect_out("not in moodle.csv, because");
     let csv = class.read("out/grades.csv");
     let marks = marks_by_id(&csv);
     let of = |id: &str| marks.iter().find(|(who, ..)| who == id).expect("a line");
@@ -103,7 +104,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
         of("3").1.parse::<u32>().is_ok_and(|points| points < 100),
         "{csv}"
     );
-    assert_eq!(of("6").2, "missing file");
+    assert_eq!(of("e@uni.example").2, "missing file");
     assert_eq!(of("7").2, "nothing handed in");
     let groups = class.read("out/groups.csv");
     assert!(groups.contains("\n4,Zoë Müller,"), "{groups}");
@@ -211,7 +212,7 @@ const POLICY: &str = "time_zone = 'Europe/Berlin'\ndeadline = '2026-11-20 23:59'
     [[adjust]]\nid = '4'\npoints = -1.5\nreason = 'as agreed <on Monday>'\n";
 
 const TIMES: &str = "id,time\n1,2026-11-20 12:00\n2,2026-11-21 12:00\n3,2026-11-20 12:00\n\
-    4,2026-11-20 12:00\n5,2026-11-20 12:00\n6,2026-11-20 12:00\n";
+    4,2026-11-20 12:00\n5,2026-11-20 12:00\ne@uni.example,2026-11-20 12:00\n";
 
 /// Checks the raw, policy and final marks in the list, on the page, in reports and in files for
 /// platforms.
@@ -248,7 +249,7 @@ fn policy_reaches_every_way_out(class: &Class) {
     let moodle = class.read("out/moodle.csv");
     assert!(
         moodle.contains(
-            "\nParticipant 2002,Zoë Müller,4,,98.5,,Changes to your mark: −1.5: as agreed <on Monday>\n"
+            "\nParticipant 2002,4,98.5,,Changes to your mark: −1.5: as agreed <on Monday>\n"
         ),
         "{moodle}"
     );
