@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use unicode_normalization::char::is_combining_mark;
 
-use super::matching::{ascii, folded, has_assigned_id, turned, unaccented};
+use super::matching::{ascii, folded, has_chosen_id, turned, unaccented};
 use super::roster::Person;
 
 /// What a text is of a person.
@@ -152,7 +152,7 @@ impl<'a> Index<'a> {
 
 /// The id and the logins of a person, as the university assigned them.
 fn assigned(person: &Person) -> impl Iterator<Item = &str> {
-    let id = has_assigned_id(person).then_some(&person.id);
+    let id = (!has_chosen_id(person)).then_some(&person.id);
     id.into_iter().chain(&person.logins).map(String::as_str)
 }
 

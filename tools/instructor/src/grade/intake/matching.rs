@@ -66,16 +66,16 @@ pub enum Proof {
     Id,
 }
 
-/// Whether the university assigned a person's id. A login on GitHub may stand in for one.
-pub fn has_assigned_id(person: &Person) -> bool {
-    person.github.as_ref() != Some(&person.id)
+/// Whether a login on GitHub, which people choose themselves, stands in for a person's id.
+pub fn has_chosen_id(person: &Person) -> bool {
+    person.github.as_ref() == Some(&person.id)
 }
 
 /// The people with this id or login, as the university assigned them. Unless it is an id, nobody
 /// knows whether people who have chosen it on GitHub, or for their group, are meant instead.
 pub fn with_assigned<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let is = |own: &String| own.eq_ignore_ascii_case(id);
-    let has_id = |person: &Person| has_assigned_id(person) && is(&person.id);
+    let has_id = |person: &Person| !has_chosen_id(person) && is(&person.id);
     let has_login = |person: &Person| person.logins.iter().any(is);
     let found = people.iter().filter(|it| has_id(it) || has_login(it));
     let mut found: Vec<&Person> = found.collect();

@@ -12,6 +12,9 @@ use pinhole_course::error::Result;
 #[derive(Clone, Debug, Default, Deserialize, Eq, PartialEq, Serialize)]
 pub struct Person {
     pub id: String,
+    /// Whether the university assigned the id. Otherwise, the platform's number, an address or a
+    /// login stands in for it.
+    pub has_assigned_id: bool,
     pub name: String,
     #[serde(default)]
     pub section: String,
@@ -80,6 +83,9 @@ const LOGIN: [&str; 9] = [
 ];
 const GITHUB: [&str; 3] = ["github", "githubusername", "githublogin"];
 
+/// The name on the line of Canvas's gradebook that has the possible points, and no id.
+const POINTS_POSSIBLE: &str = "Points Possible";
+
 /// The people of a course, in the file's order.
 pub fn read(path: &Path) -> Result<Vec<Person>> {
     let remedy = "save it as a CSV file whose first line is: id,name,section";
@@ -101,7 +107,12 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     }
     let [section, number] = [of(&SECTION), of(&NUMBER)];
     // In Canvas's gradebook, `ID` is Canvas's own number, and in Moodle's German lists, Moodle's.
-    let is_platforms = ["sisuserid", "idnummer"].contains(&table.name(id));
+    let is_points = |(_, row): &(u64, csv::StringRecord)| {
+        let cell = |at: Option<usize>| at.and_then(|at| row.get(at)).unwrap_or_default().trim();
+        cell(Some(id)).is_empty() && cell(name.or(parts[1])) == POINTS_POSSIBLE
+    };
+    let is_platforms =
+        of(&["sisuserid", "sisloginid", "idnummer"]).is_some() || table.rows.iter().any(is_points);
     let number = number.or(of(&["id"]).filter(|_| is_platforms));
     // In the rosters of GitHub's classrooms, `identifier` is the id that the instructor chose and, in
     // Classroom 50's, `username` is the login on GitHub.
@@ -110,6 +121,12 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     let github = of(&GITHUB).or(of(&["username"]).filter(|_| is_classroom));
     let logins = LOGIN.iter().filter_map(|name| of(&[name]));
     let logins: Vec<usize> = logins.filter(|at| Some(*at) != github).collect();
+    let is_assigned = |column: usize| match table.name(column) {
+        "id" => !is_platforms,
+        "identifier" => is_classroom,
+        "emailaddress" | "emailadresse" | "username" => false,
+        _ => true,
+    };
 
     let mut people: Vec<Person> = Vec::new();
     for (line, row) in &table.rows {
@@ -120,12 +137,9 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
         };
         // Skip the lines of Canvas's gradebook that are about no student: how grades are posted,
         // the possible points, and the test student.
-        let mut own = ids.iter().map(|at| cell(Some(*at)));
-        let own = own
-            .find(|own| !own.is_empty())
-            .unwrap_or_default()
-            .to_owned();
-        if own.is_empty() && ["", "Points Possible"].contains(&&*name) || name == "Student, Test" {
+        let mut own = ids.iter().map(|at| (*at, cell(Some(*at))));
+        let (column, own) = own.find(|(_, own)| !own.is_empty()).unwrap_or((id, ""));
+        if own.is_empty() && ["", POINTS_POSSIBLE].contains(&&*name) || name == "Student, Test" {
             continue;
         }
         if own.is_empty() {
@@ -146,12 +160,14 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
                 other.name
             ));
         }
+        let github = github_login(cell(github));
         people.push(Person {
-            id: own,
+            id: own.to_owned(),
+            has_assigned_id: is_assigned(column) && !own.contains('@') && own != github,
             name,
             section: cell(section).into(),
             number: Some(number).filter(|it| !it.is_empty()).map(str::to_owned),
-            github: Some(github_login(cell(github)).to_owned()).filter(|it| !it.is_empty()),
+            github: Some(github.to_owned()).filter(|it| !it.is_empty()),
             group: None,
             logins: logins
                 .iter()
@@ -287,6 +303,42 @@ mod tests {
         let list = "First name,Last name,ID number\nAda,Lovelace,20231234\n";
         let ada = people(list.as_bytes()).expect("it is a roster").remove(0);
         assert_eq!(ada.name, "Ada Lovelace");
+    }
+
+    #[test]
+    fn only_some_ids_were_assigned_by_the_university() {
+        let ada = |list: &str| people(list.as_bytes()).expect("it is a roster").remove(0);
+        for list in [
+            "id,name\n7,Ada\n",
+            "id,name,number\n7,Ada,11\n",
+            "Matrikelnummer,Name\n7,Ada\n",
+            "Student,ID,SIS User ID\nAda,11,7\n",
+            "Identifier,Full name,ID number\nParticipant 11,Ada,7\n",
+            "identifier,github_username,name\n7,ada,Ada\n",
+        ] {
+            assert!(ada(list).has_assigned_id, "{list}");
+        }
+        for list in [
+            "id,name,github\nada,Ada,@ada\n",
+            "id,name\nada@x.org,Ada\n",
+            "username,name\nada,Ada\n",
+            "name,Email address\nAda,ada@x.org\n",
+            "username,first_name,github_id\nada,Ada,1\n",
+            "identifier,github_username,name\nada,ada,Ada\n",
+        ] {
+            assert!(!ada(list).has_assigned_id, "{list}");
+        }
+        // These platforms gave a number instead of an id.
+        for list in [
+            "Student,ID,SIS User ID\nAda,11,\n",
+            "Student,ID,SIS Login ID\nAda,11,al1\n",
+            "Student,ID\n    Points Possible,\nAda,11\n",
+            "Identifier,Full name,ID number\nParticipant 11,Ada,\n",
+        ] {
+            let ada = ada(list);
+            let number = ada.number.as_deref();
+            assert_eq!((ada.has_assigned_id, number), (false, Some("11")), "{list}");
+        }
     }
 
     #[test]

@@ -15,9 +15,9 @@ use pinhole_report::escape::printable;
 
 /// For Canvas: Grades, Import. `lib/gradebook_importer.rb` in Canvas's source (canvas-lms) wants
 /// `Student` and `ID` first, `Section` before the assignments, and at most the two SIS columns
-/// between. It finds a student by `ID`, then by `SIS User ID`, by `SIS Login ID`, or by name. A
-/// line with `Points Possible` sets what the assignment is worth. `Name (number)` refers to an
-/// existing assignment.
+/// between. It finds a student by `ID`, then by `SIS User ID`, by `SIS Login ID`, or by name, which
+/// may be another person's. A line with `Points Possible` sets what the assignment is worth.
+/// `Name (number)` refers to an existing assignment.
 pub fn canvas(class: &Class) -> String {
     let policy = class.roll.policy.as_ref();
     let column = policy.and_then(|policy| policy.rules.gradebook_column.clone());
@@ -30,12 +30,16 @@ pub fn canvas(class: &Class) -> String {
     table.line(&points.map(str::to_owned));
     let accounts = Accounts::new(&class.roll.entries, Platform::Canvas);
     for (person, mark, row) in class.gradebook() {
-        let login = person.logins.first().cloned().unwrap_or_default();
+        let Some((number_there, id)) = accounts.find(person, row) else {
+            continue;
+        };
+        // Otherwise, people may have chosen the login.
+        let login = person.logins.first().filter(|_| person.has_assigned_id);
         table.line(&[
             canvas_name(person),
-            accounts.number(person, row),
-            students_id(person),
-            login,
+            number_there,
+            id,
+            login.cloned().unwrap_or_default(),
             person.section.clone(),
             number(mark.last),
         ]);
@@ -87,15 +91,27 @@ pub fn moodle(class: &Class) -> String {
     table.for_machines()
 }
 
-/// People with a mark whom Moodle could not find, so that `moodle.csv` has no line for them.
+/// People with a mark who have no line in `canvas.csv`.
+pub fn not_on_canvas(class: &Class) -> Option<Concern> {
+    let what = "not in canvas.csv, because neither their number on Canvas nor their university id is \
+                known: add it to the roster (column `number` or `id`)";
+    not_found(class, Platform::Canvas, what)
+}
+
+/// People with a mark who have no line in `moodle.csv`.
 pub fn not_on_moodle(class: &Class) -> Option<Concern> {
-    let accounts = Accounts::new(&class.roll.entries, Platform::Moodle);
+    let what = "not in moodle.csv, because neither their number on Moodle nor their id number is \
+                known: add it to the roster (column `number` or `id`)";
+    not_found(class, Platform::Moodle, what)
+}
+
+fn not_found(class: &Class, of: Platform, what: &'static str) -> Option<Concern> {
+    let accounts = Accounts::new(&class.roll.entries, of);
     let lost = class.gradebook();
     let lost = lost.filter(|(person, _, row)| accounts.find(person, row).is_none());
     let which: Vec<String> = lost.map(|(person, ..)| in_words(person)).collect();
     (!which.is_empty()).then_some(Concern {
-        what: "not in moodle.csv, because neither their number on Moodle nor their id number is \
-               known: add it to the roster (column `number` or `id`)",
+        what,
         which,
         is_grave: true,
     })
@@ -107,17 +123,6 @@ fn comments(mark: &Mark) -> String {
     match changes.collect::<Vec<_>>().join("; ") {
         changes if changes.is_empty() => changes,
         changes => format!("Changes to your mark: {changes}"),
-    }
-}
-
-/// The university's id for a person. Empty if the roster has none, so that the platform's number
-/// or an e-mail address stands in for it.
-fn students_id(person: &Person) -> String {
-    let digits = person.id.trim_start_matches(|c: char| !c.is_ascii_digit());
-    let is_platforms = person.number.as_deref() == Some(digits);
-    match is_platforms || person.id.contains('@') {
-        true => String::new(),
-        false => person.id.clone(),
     }
 }
 
@@ -164,7 +169,11 @@ impl Accounts {
     /// A person's number on the platform, and the university's id for them; `None` if neither is
     /// known.
     fn find(&self, person: &Person, row: &Row) -> Option<(String, String)> {
-        let found = (self.number(person, row), students_id(person));
+        let id = match person.has_assigned_id {
+            true => person.id.clone(),
+            false => String::new(),
+        };
+        let found = (self.number(person, row), id);
         (found != Default::default()).then_some(found)
     }
 }
@@ -229,6 +238,7 @@ mod tests {
         let person = |id: &str, number: Option<&str>| Person {
             id: id.into(),
             name: "Eve,\\".into(),
+            has_assigned_id: id == "bob",
             number: number.map(str::to_owned),
             logins: vec!["\\@example.org".into()],
             ..Person::default()
@@ -249,6 +259,32 @@ mod tests {
         assert_eq!(table, lines);
         let lost = lost.expect("one has no number");
         assert!(lost.is_grave && lost.which == ["Eve,\\ [c@example.org]"]);
+    }
+
+    #[test]
+    fn only_an_id_that_the_university_assigned_identifies_people_on_canvas() {
+        let person = |id: &str, number: Option<&str>| Person {
+            id: id.into(),
+            has_assigned_id: id == "ada",
+            number: number.map(str::to_owned),
+            logins: vec![format!("{id}1")],
+            ..Person::default()
+        };
+        // Bob and Eve have logins on GitHub that are other people's ids.
+        let people = vec![
+            person("ada", None),
+            person("bob", Some("12")),
+            person("eve", None),
+        ];
+        let mut roll = roll(Vec::new(), "time_zone = 'UTC'", &[]);
+        let (table, lost) = of_class(&mut roll, people, |class| {
+            (canvas(class), not_on_canvas(class))
+        });
+        let lines = "Student,ID,SIS User ID,SIS Login ID,Section,HW\n    Points Possible,,,,,100\n\
+            ,,ada,ada1,,60\n,12,,,,60\n";
+        assert_eq!(table, lines);
+        let lost = lost.expect("one has no number");
+        assert!(lost.is_grave && lost.which == [" [eve]"]);
     }
 
     #[test]

@@ -90,10 +90,13 @@ impl ClassOutput<'_> {
             }
         }
         let asked = |format: Format| self.formats.contains(&format);
+        if asked(Format::Canvas) {
+            class.concerns.extend(gradebook::not_on_canvas(&class));
+        }
         if asked(Format::Moodle) {
             class.concerns.extend(gradebook::not_on_moodle(&class));
-            class.concerns = concern::sorted(class.concerns);
         }
+        class.concerns = concern::sorted(class.concerns);
         for (format, name, of) in [
             (
                 Format::Csv,

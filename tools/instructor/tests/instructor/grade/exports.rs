@@ -93,6 +93,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
         .expect_out("(Emmy Noether [e@uni.example]): plane.rs is missing")
         .expect_out("`Sphere (1).rs` was taken as `sphere.rs`")
         .expect_out("Gus Ghost [7]")
+        .expect_out("not in canvas.csv, because")
         .expect_out("not in moodle.csv, because");
     let csv = class.read("out/grades.csv");
     let marks = marks_by_id(&csv);
