@@ -242,7 +242,7 @@ impl Bubblewrap {
             Purpose::Compile => vec!["/usr".into()],
             Purpose::Answer => libraries(),
         };
-        for read in system.iter().chain([&PathBuf::from("/dev")]) {
+        for read in system {
             command.arg("--read").arg(read);
         }
         command.args(["--write", "/dev/null"]);

@@ -127,7 +127,8 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         (Resource::Nproc, confine.processes),
         (Resource::Fsize, confine.file_size),
         (Resource::Nofile, confine.open_files),
-        (Resource::Core, 0),
+        // With 0, the kernel would still start a program that handles crashes: see core(5).
+        (Resource::Core, 1),
         (Resource::Memlock, 0),
         (Resource::Msgqueue, 0),
     ] {

@@ -11,7 +11,7 @@ use libc::{
     CLONE_NEWUTS, CLONE_PIDFD, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::Dword;
-use seccompiler::SeccompCmpOp::{Eq, MaskedEq, Ne};
+use seccompiler::SeccompCmpOp::{MaskedEq, Ne};
 use seccompiler::{
     BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule, apply_filter,
 };
@@ -85,18 +85,27 @@ const OPEN_TREE_ATTR: libc::c_long = 467;
 
 /// The only commands of `fcntl` that code may use while answering. Others watch a folder, lock a
 /// file or store a number beside it, and so could pass answers to another submission.
-const ALLOWED_OF_FCNTL: [libc::c_int; 6] = [
-    libc::F_DUPFD,
-    libc::F_DUPFD_CLOEXEC,
-    libc::F_GETFD,
-    libc::F_SETFD,
-    libc::F_GETFL,
-    libc::F_SETFL,
+const ALLOWED_OF_FCNTL: [u64; 6] = [
+    libc::F_DUPFD as u64,
+    libc::F_DUPFD_CLOEXEC as u64,
+    libc::F_GETFD as u64,
+    libc::F_SETFD as u64,
+    libc::F_GETFL as u64,
+    libc::F_SETFL as u64,
 ];
 
 /// The only commands of `ioctl` that code may use while answering, and that the standard library
 /// uses. Others tell the machine's addresses, for example.
 const ALLOWED_OF_IOCTL: [u64; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
+
+/// The only options of `prctl` that code may use while answering. With others, it could outlive the
+/// grader, give its threads names that every user of the machine can read, or make the kernel use
+/// memory that no limit counts, as for filters or for the table of futexes.
+const ALLOWED_OF_PRCTL: [u64; 3] = [
+    libc::PR_GET_PDEATHSIG as u64,
+    libc::PR_GET_NO_NEW_PRIVS as u64,
+    libc::PR_GET_SECCOMP as u64,
+];
 
 /// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
 /// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
@@ -210,26 +219,13 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
             rules.insert(libc::SYS_open, making(1)?);
         }
         // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
-        // memory until the last page of the mapping is unmapped.
-        rules.insert(libc::SYS_mmap, vec![with_flag(3, libc::MAP_SHARED, true)?]);
-        let of_fcntl = ALLOWED_OF_FCNTL.map(|command| command as u64);
-        rules.insert(libc::SYS_fcntl, vec![other_than(&of_fcntl)?]);
-        rules.insert(libc::SYS_ioctl, vec![other_than(&ALLOWED_OF_IOCTL)?]);
-        // The process was told to end with the grader, and must not be able to change that. Every
-        // user of the machine can read the names of threads. The third is the old name of `seccomp`.
-        let of_prctl = [
-            libc::PR_SET_PDEATHSIG,
-            libc::PR_SET_NAME,
-            libc::PR_SET_SECCOMP,
-        ]
-        .map(|option| {
-            let is_option = SeccompCondition::new(0, Dword, Eq, option as u64)?;
-            SeccompRule::new(vec![is_option])
-        });
-        rules.insert(
-            libc::SYS_prctl,
-            of_prctl.into_iter().collect::<Result<_, _>>()?,
-        );
+        // memory until the last page of the mapping is unmapped. Huge pages don't count at all.
+        let shared = with_flag(3, libc::MAP_SHARED, true)?;
+        let huge = with_flag(3, libc::MAP_HUGETLB, true)?;
+        rules.insert(libc::SYS_mmap, vec![shared, huge]);
+        rules.insert(libc::SYS_fcntl, vec![other_than(1, &ALLOWED_OF_FCNTL)?]);
+        rules.insert(libc::SYS_ioctl, vec![other_than(1, &ALLOWED_OF_IOCTL)?]);
+        rules.insert(libc::SYS_prctl, vec![other_than(0, &ALLOWED_OF_PRCTL)?]);
     }
     rules.insert(libc::SYS_clone, clones);
     // On x86-64 the same calls have a second set of numbers (x32), and some have a third one.
@@ -262,8 +258,8 @@ fn with_flag(
     )?])
 }
 
-/// A call of `fcntl` or `ioctl` with any other command.
-fn other_than(allowed: &[u64]) -> Result<SeccompRule, seccompiler::BackendError> {
-    let is_not = |command: &u64| SeccompCondition::new(1, Dword, Ne, *command);
+/// A call with any other value of an argument.
+fn other_than(argument: u8, allowed: &[u64]) -> Result<SeccompRule, seccompiler::BackendError> {
+    let is_not = |value: &u64| SeccompCondition::new(argument, Dword, Ne, *value);
     SeccompRule::new(allowed.iter().map(is_not).collect::<Result<_, _>>()?)
 }

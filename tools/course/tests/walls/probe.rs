@@ -82,6 +82,7 @@ fn main() {
         ("open a file without a name", 2, [dev, 0o2020_0001, 0, 0]),
         ("open a folder", 2, [0, 0o20_0000, 0, 0]),
         ("share memory", 9, [0, 0, 0, 1]),
+        ("use huge pages", 9, [0, 0, 0, 0x4_0002]),
         ("keep memory", 9, [0, 0, 0, 2]),
         ("lock", 72, [-1, 6, 0, 0]),
         ("store a number", 72, [-1, 1036, 0, 0]),
@@ -91,6 +92,8 @@ fn main() {
         ("watch a process", 434, [-1, 0, 0, 0]),
         ("outlive the parent", 157, [1, -1, 0, 0]),
         ("take a name", 157, [15, 0, 0, 0]),
+        ("make a table of futexes", 157, [78, -1, 0, 0]),
+        ("ask for a signal", 157, [2, 0, 0, 0]),
     ];
     let mut all = Vec::new();
     for (name, number, arguments) in calls {
@@ -108,6 +111,7 @@ fn main() {
         ("program", "/usr/bin/env".into()),
         ("home", "/root".into()),
         ("processes", "/proc/1/stat".into()),
+        ("terminals", "/dev/ptmx".into()),
         ("source", folder.clone() + "/src/probe.rs"),
         ("itself", itself.map_or("?".into(), |path| path.display().to_string())),
     ] {

@@ -25,7 +25,11 @@ pub fn while_compiling(mode: &str, user: u32, limits: &Limits) -> String {
         ),
     };
     let (rules, passwd, processes) = match mode {
-        WITHOUT_LANDLOCK => (", \"rules\"", "reads passwd, ", "reads processes, "),
+        WITHOUT_LANDLOCK => (
+            ", \"rules\"",
+            "reads passwd, ",
+            "reads processes, reads terminals, ",
+        ),
         _ => ("", "", ""),
     };
     confined(user, limits)
@@ -47,7 +51,9 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
         _ => "PATH",
     };
     let may = match mode {
-        WITHOUT_LANDLOCK => "reads passwd, reads program, reads processes, reads source, ",
+        WITHOUT_LANDLOCK => {
+            "reads passwd, reads program, reads processes, reads terminals, reads source, "
+        }
         _ => "",
     };
     confined(user, limits)
@@ -57,9 +63,9 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
              \"add a filter by its old name\", \"rules\", \"clone a process\", \
              \"clone a watched thread\", \"socket\", \"ask a socket\", \"make a folder\", \
              \"openat a new file\", \"openat a file without a name\", \"open a new file\", \
-             \"open a file without a name\", \"share memory\", \"lock\", \"store a number\", \
+             \"open a file without a name\", \"share memory\", \"use huge pages\", \"lock\", \"store a number\", \
              \"ask for addresses\", \"watch a process\", \"outlive the parent\", \
-             \"take a name\"]\n"
+             \"take a name\", \"make a table of futexes\"]\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")
 }
@@ -80,7 +86,7 @@ fn confined(user: u32, limits: &Limits) -> String {
         "user [{user}, {user}, {user}] group [{user}, {user}, {user}] and 0 more\n\
          cpu [{cpu}, {most}]\n\
          file size [{file_size}, {file_size}]\n\
-         core [0, 0]\n\
+         core [1, 1]\n\
          processes [{processes}, {processes}]\n\
          open files [{open_files}, {open_files}]\n\
          locked memory [0, 0]\n\
