@@ -1,8 +1,13 @@
-//! The system calls that untrusted code may not make.
+//! The system calls that untrusted code may make.
 //!
-//! This list says what is denied and not what is allowed. The compiler and its linker come with the
-//! machine, so a list of the calls they need would soon be out of date. The rest of the sandbox
-//! still restricts all other calls.
+//! The compiler and its linker come with the machine, so a list of the calls they need would soon be
+//! out of date. For them, a list says what is denied. For answers, a list says what is allowed: what
+//! the standard library and the C library need to compute, to read and write, and to start threads.
+//! So code can't pass messages by files, locks or counters of the kernel, nor make the kernel use
+//! memory that no limit counts.
+//!
+//! A call that is not allowed fails as if the kernel did not have it, and libraries try an older one.
+//! The rest of the sandbox still restricts what is allowed.
 
 use std::collections::BTreeMap;
 
@@ -11,9 +16,10 @@ use libc::{
     CLONE_NEWUTS, CLONE_PIDFD, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::Dword;
-use seccompiler::SeccompCmpOp::{MaskedEq, Ne};
+use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
 use seccompiler::{
-    BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule, apply_filter,
+    BackendError, BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule,
+    apply_filter,
 };
 
 /// What the code is to do.
@@ -25,9 +31,9 @@ pub enum Purpose {
     Answer,
 }
 
-/// Calls that are always denied, because they reach other processes, the kernel itself, new
+/// Calls that the compiler may not make, because they reach other processes, the kernel itself, new
 /// namespaces, or memory that no limit counts.
-const NEVER: [libc::c_long; 48] = [
+const DENIED_TO_COMPILER: [libc::c_long; 48] = [
     libc::SYS_ptrace,
     libc::SYS_process_vm_readv,
     libc::SYS_process_vm_writev,
@@ -83,7 +89,104 @@ const NEVER: [libc::c_long; 48] = [
 /// `open_tree_attr`, which Linux has had since 6.15.
 const OPEN_TREE_ATTR: libc::c_long = 467;
 
-/// The only commands of `fcntl` that code may use while answering. Others watch a folder, lock a
+/// The system calls of Landlock itself.
+const LANDLOCK: [libc::c_long; 3] = [
+    libc::SYS_landlock_create_ruleset,
+    libc::SYS_landlock_add_rule,
+    libc::SYS_landlock_restrict_self,
+];
+
+/// The flags of `clone` that make a new namespace.
+const NAMESPACES: libc::c_int = CLONE_NEWCGROUP
+    | CLONE_NEWIPC
+    | CLONE_NEWNET
+    | CLONE_NEWNS
+    | CLONE_NEWPID
+    | CLONE_NEWUSER
+    | CLONE_NEWUTS;
+
+/// Calls that answers may make with any arguments.
+const ALLOWED: [libc::c_long; 62] = [
+    // The program is started after this list is in force.
+    libc::SYS_execve,
+    libc::SYS_exit,
+    libc::SYS_exit_group,
+    libc::SYS_brk,
+    libc::SYS_mprotect,
+    libc::SYS_mremap,
+    libc::SYS_munmap,
+    libc::SYS_madvise,
+    libc::SYS_read,
+    libc::SYS_readv,
+    libc::SYS_pread64,
+    libc::SYS_write,
+    libc::SYS_writev,
+    // Standard input is a socket.
+    libc::SYS_recvfrom,
+    libc::SYS_sendto,
+    libc::SYS_shutdown,
+    libc::SYS_lseek,
+    libc::SYS_close,
+    libc::SYS_dup,
+    libc::SYS_dup3,
+    libc::SYS_ppoll,
+    libc::SYS_fstat,
+    libc::SYS_newfstatat,
+    libc::SYS_statx,
+    libc::SYS_faccessat,
+    libc::SYS_faccessat2,
+    libc::SYS_readlinkat,
+    libc::SYS_getcwd,
+    libc::SYS_futex,
+    libc::SYS_set_robust_list,
+    libc::SYS_set_tid_address,
+    libc::SYS_rseq,
+    libc::SYS_sched_yield,
+    libc::SYS_sched_getaffinity,
+    libc::SYS_getcpu,
+    libc::SYS_rt_sigaction,
+    libc::SYS_rt_sigprocmask,
+    libc::SYS_rt_sigreturn,
+    libc::SYS_sigaltstack,
+    libc::SYS_restart_syscall,
+    libc::SYS_tgkill,
+    libc::SYS_tkill,
+    libc::SYS_nanosleep,
+    libc::SYS_clock_nanosleep,
+    libc::SYS_clock_gettime,
+    libc::SYS_clock_getres,
+    libc::SYS_gettimeofday,
+    libc::SYS_getrandom,
+    libc::SYS_prlimit64,
+    libc::SYS_getrlimit,
+    libc::SYS_getpid,
+    libc::SYS_getppid,
+    libc::SYS_gettid,
+    libc::SYS_getsid,
+    libc::SYS_getuid,
+    libc::SYS_geteuid,
+    libc::SYS_getgid,
+    libc::SYS_getegid,
+    libc::SYS_getresuid,
+    libc::SYS_getresgid,
+    libc::SYS_getgroups,
+    libc::SYS_uname,
+];
+
+/// The same calls under the names that only x86-64 still has.
+#[cfg(target_arch = "x86_64")]
+const ALLOWED_OLD_NAMES: [libc::c_long; 8] = [
+    libc::SYS_arch_prctl,
+    libc::SYS_dup2,
+    libc::SYS_access,
+    libc::SYS_stat,
+    libc::SYS_lstat,
+    libc::SYS_readlink,
+    libc::SYS_poll,
+    libc::SYS_time,
+];
+
+/// The only commands of `fcntl` that answers may use. Others watch a folder, lock a
 /// file or store a number beside it, and so could pass answers to another submission.
 const ALLOWED_OF_FCNTL: [u64; 6] = [
     libc::F_DUPFD as u64,
@@ -94,11 +197,10 @@ const ALLOWED_OF_FCNTL: [u64; 6] = [
     libc::F_SETFL as u64,
 ];
 
-/// The only commands of `ioctl` that code may use while answering, and that the standard library
-/// uses. Others tell the machine's addresses, for example.
+/// The only commands of `ioctl` that answers may use, and that the standard library uses. Others tell the machine's addresses, for example.
 const ALLOWED_OF_IOCTL: [u64; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
 
-/// The only options of `prctl` that code may use while answering. With others, it could outlive the
+/// The only options of `prctl` that answers may use. With others, it could outlive the
 /// grader, give its threads names that every user of the machine can read, or make the kernel use
 /// memory that no limit counts, as for filters or for the table of futexes.
 const ALLOWED_OF_PRCTL: [u64; 3] = [
@@ -107,127 +209,33 @@ const ALLOWED_OF_PRCTL: [u64; 3] = [
     libc::PR_GET_SECCOMP as u64,
 ];
 
-/// Calls that only the compiler may make. Without namespaces and Landlock, one submission could
-/// pass answers to another by the names of files in a folder like `/tmp`, even if no file may be
-/// written. It could also use the times of a file that everyone may write, such as `/dev/null`.
-const NEVER_WHILE_ANSWERING: [libc::c_long; 26] = [
-    // Filters take memory that no limit counts.
-    libc::SYS_seccomp,
-    libc::SYS_socket,
-    libc::SYS_socketpair,
-    // Makes a file if standard input, a socket, gets a path as its name.
-    libc::SYS_bind,
-    // `connect` gives it a name too, if `setsockopt` asks for its peer's credentials.
-    libc::SYS_connect,
-    libc::SYS_listen,
-    libc::SYS_accept,
-    libc::SYS_accept4,
-    libc::SYS_setsockopt,
-    libc::SYS_pipe2,
-    libc::SYS_inotify_init1,
-    libc::SYS_setsid,
-    libc::SYS_setpgid,
-    libc::SYS_mkdirat,
-    libc::SYS_mknodat,
-    libc::SYS_linkat,
-    libc::SYS_symlinkat,
-    libc::SYS_renameat,
-    libc::SYS_renameat2,
-    libc::SYS_unlinkat,
-    libc::SYS_utimensat,
-    // Its flags lie in memory. The C library uses `openat`.
-    libc::SYS_openat2,
-    // Drops a file's pages from the kernel's cache, and the next program could see that.
-    libc::SYS_fadvise64,
-    // All submissions have the C library's file open, and each would notice another one's lock.
-    libc::SYS_flock,
-    // Gives a cookie, which counts the processes that have asked for one.
-    libc::SYS_getsockopt,
-    // Its inode's number tells how many processes and threads the machine has started.
-    libc::SYS_pidfd_open,
-];
-
-/// The same calls under the names that only x86-64 still has.
-#[cfg(target_arch = "x86_64")]
-const OLD_NAMES: [libc::c_long; 15] = [
-    libc::SYS_fork,
-    libc::SYS_vfork,
-    libc::SYS_pipe,
-    libc::SYS_inotify_init,
-    libc::SYS_creat,
-    libc::SYS_mkdir,
-    libc::SYS_mknod,
-    libc::SYS_link,
-    libc::SYS_symlink,
-    libc::SYS_rename,
-    libc::SYS_rmdir,
-    libc::SYS_unlink,
-    libc::SYS_utime,
-    libc::SYS_utimes,
-    libc::SYS_futimesat,
-];
-
-/// The flags that make `open` create a file: one with a name, and one without.
-const MAKES_FILE: [libc::c_int; 2] = [libc::O_CREAT, libc::O_TMPFILE & !libc::O_DIRECTORY];
-
-/// The system calls of Landlock itself.
-const LANDLOCK: [libc::c_long; 3] = [
-    libc::SYS_landlock_create_ruleset,
-    libc::SYS_landlock_add_rule,
-    libc::SYS_landlock_restrict_self,
-];
-
-/// Denies these calls to this process and its children.
-///
-/// A denied call fails as if the kernel did not have it.
+/// Restricts this process and its children to these calls. `landlock_too` denies Landlock's own calls
+/// to the compiler.
 pub fn deny(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::error::Error>> {
     Ok(apply_filter(&program(purpose, landlock_too)?)?)
 }
 
-fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompiler::BackendError> {
-    let mut rules: BTreeMap<i64, Vec<SeccompRule>> = BTreeMap::new();
-    rules.extend(NEVER.map(|call| (call, Vec::new())));
-    // Landlock's rules take memory that no limit counts.
-    if landlock_too || purpose == Purpose::Answer {
+fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, BackendError> {
+    let unheard_of = SeccompAction::Errno(libc::ENOSYS as u32);
+    let (rules, others, listed) = match purpose {
+        Purpose::Compile => (denied(landlock_too)?, SeccompAction::Allow, unheard_of),
+        Purpose::Answer => (allowed()?, unheard_of, SeccompAction::Allow),
+    };
+    let arch = std::env::consts::ARCH.try_into()?;
+    SeccompFilter::new(rules, others, listed, arch)?.try_into()
+}
+
+type Rules = BTreeMap<i64, Vec<SeccompRule>>;
+
+fn denied(landlock_too: bool) -> Result<Rules, BackendError> {
+    let mut rules = Rules::from(DENIED_TO_COMPILER.map(|call| (call, Vec::new())));
+    if landlock_too {
         rules.extend(LANDLOCK.map(|call| (call, Vec::new())));
     }
-    let mut clones = Vec::new();
-    for namespace in [
-        CLONE_NEWCGROUP,
-        CLONE_NEWIPC,
-        CLONE_NEWNET,
-        CLONE_NEWNS,
-        CLONE_NEWPID,
-        CLONE_NEWUSER,
-        CLONE_NEWUTS,
-    ] {
-        clones.push(with_flag(0, namespace, true)?);
-    }
-    if purpose == Purpose::Answer {
-        rules.extend(NEVER_WHILE_ANSWERING.map(|call| (call, Vec::new())));
-        clones.push(with_flag(0, CLONE_THREAD, false)?);
-        // The same as `pidfd_open`.
-        clones.push(with_flag(0, CLONE_PIDFD, true)?);
-        let making = |argument| -> Result<Vec<SeccompRule>, _> {
-            let rules = MAKES_FILE.into_iter();
-            rules.map(|flag| with_flag(argument, flag, true)).collect()
-        };
-        rules.insert(libc::SYS_openat, making(2)?);
-        #[cfg(target_arch = "x86_64")]
-        {
-            rules.extend(OLD_NAMES.map(|call| (call, Vec::new())));
-            rules.insert(libc::SYS_open, making(1)?);
-        }
-        // Unmapped pages of a shared mapping no longer count as the process's own, but stay in
-        // memory until the last page of the mapping is unmapped. Huge pages don't count at all.
-        let shared = with_flag(3, libc::MAP_SHARED, true)?;
-        let huge = with_flag(3, libc::MAP_HUGETLB, true)?;
-        rules.insert(libc::SYS_mmap, vec![shared, huge]);
-        rules.insert(libc::SYS_fcntl, vec![other_than(1, &ALLOWED_OF_FCNTL)?]);
-        rules.insert(libc::SYS_ioctl, vec![other_than(1, &ALLOWED_OF_IOCTL)?]);
-        rules.insert(libc::SYS_prctl, vec![other_than(0, &ALLOWED_OF_PRCTL)?]);
-    }
-    rules.insert(libc::SYS_clone, clones);
+    let flags = (0..libc::c_int::BITS).map(|bit| 1 << bit);
+    let flags = flags.filter(|flag| NAMESPACES & flag != 0);
+    let clones = flags.map(|flag| with_flags(0, flag, flag));
+    rules.insert(libc::SYS_clone, clones.collect::<Result<_, _>>()?);
     // On x86-64 the same calls have a second set of numbers (x32), and some have a third one.
     #[cfg(target_arch = "x86_64")]
     {
@@ -237,29 +245,48 @@ fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, seccompil
         }
         rules.extend((512..=547).map(|call| (call | X32, Vec::new())));
     }
-    let unheard_of = SeccompAction::Errno(libc::ENOSYS as u32);
-    let arch = std::env::consts::ARCH.try_into()?;
-    SeccompFilter::new(rules, SeccompAction::Allow, unheard_of, arch)?.try_into()
+    Ok(rules)
 }
 
-/// A call that has this flag set, or not set, in one of its arguments.
-fn with_flag(
+fn allowed() -> Result<Rules, BackendError> {
+    let mut rules = Rules::from(ALLOWED.map(|call| (call, Vec::new())));
+    // Threads, but no process. A descriptor of a thread would tell how many the machine has started.
+    let kinds = NAMESPACES | CLONE_PIDFD | CLONE_THREAD;
+    rules.insert(libc::SYS_clone, vec![with_flags(0, kinds, CLONE_THREAD)?]);
+    // No new file, with or without a name, and none that is emptied.
+    let changes = libc::O_CREAT | libc::O_TRUNC | (libc::O_TMPFILE & !libc::O_DIRECTORY);
+    rules.insert(libc::SYS_openat, vec![with_flags(2, changes, 0)?]);
+    // Unmapped pages of a shared mapping no longer count as the process's own, but stay in memory
+    // until the last page of the mapping is unmapped. Huge pages don't count at all.
+    let uncounted = libc::MAP_SHARED | libc::MAP_HUGETLB;
+    rules.insert(libc::SYS_mmap, vec![with_flags(3, uncounted, 0)?]);
+    rules.insert(libc::SYS_fcntl, one_of(1, &ALLOWED_OF_FCNTL)?);
+    rules.insert(libc::SYS_ioctl, one_of(1, &ALLOWED_OF_IOCTL)?);
+    rules.insert(libc::SYS_prctl, one_of(0, &ALLOWED_OF_PRCTL)?);
+    #[cfg(target_arch = "x86_64")]
+    {
+        rules.extend(ALLOWED_OLD_NAMES.map(|call| (call, Vec::new())));
+        rules.insert(libc::SYS_open, vec![with_flags(1, changes, 0)?]);
+    }
+    Ok(rules)
+}
+
+/// A call that has `set` of these flags in one of its arguments, and none of the others.
+fn with_flags(
     argument: u8,
-    flag: libc::c_int,
-    set: bool,
-) -> Result<SeccompRule, seccompiler::BackendError> {
-    let flag = u64::from(flag as u32);
-    let expected = if set { flag } else { 0 };
-    SeccompRule::new(vec![SeccompCondition::new(
-        argument,
-        Dword,
-        MaskedEq(flag),
-        expected,
-    )?])
+    flags: libc::c_int,
+    set: libc::c_int,
+) -> Result<SeccompRule, BackendError> {
+    let [flags, set] = [flags, set].map(|flags| u64::from(flags as u32));
+    let condition = SeccompCondition::new(argument, Dword, MaskedEq(flags), set)?;
+    SeccompRule::new(vec![condition])
 }
 
-/// A call with any other value of an argument.
-fn other_than(argument: u8, allowed: &[u64]) -> Result<SeccompRule, seccompiler::BackendError> {
-    let is_not = |value: &u64| SeccompCondition::new(argument, Dword, Ne, *value);
-    SeccompRule::new(allowed.iter().map(is_not).collect::<Result<_, _>>()?)
+/// A call with one of these values of an argument.
+fn one_of(argument: u8, values: &[u64]) -> Result<Vec<SeccompRule>, BackendError> {
+    let is = |value: &u64| {
+        let condition = SeccompCondition::new(argument, Dword, Eq, *value)?;
+        SeccompRule::new(vec![condition])
+    };
+    values.iter().map(is).collect()
 }

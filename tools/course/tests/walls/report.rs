@@ -62,9 +62,10 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
              unknown calls [\"ptrace\", \"clone a namespace\", \"add a filter\", \
              \"add a filter by its old name\", \"rules\", \"clone a process\", \
              \"clone a watched thread\", \"socket\", \"ask a socket\", \"make a folder\", \
-             \"openat a new file\", \"openat a file without a name\", \"open a new file\", \
-             \"open a file without a name\", \"share memory\", \"use huge pages\", \"lock\", \"store a number\", \
-             \"ask for addresses\", \"watch a process\", \"outlive the parent\", \
+             \"openat a new file\", \"openat to empty a file\", \"openat a file without a name\", \"open a new file\", \
+             \"open to empty a file\", \"open a file without a name\", \"share memory\", \"use huge pages\", \"lock\", \"store a number\", \
+             \"ask for addresses\", \"store an attribute\", \"cut a file\", \
+             \"make a timer\", \"watch a process\", \"outlive the parent\", \
              \"take a name\", \"make a table of futexes\"]\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")

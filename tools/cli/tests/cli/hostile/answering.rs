@@ -153,7 +153,7 @@ const CALLS: [(&str, &str); 11] = [
     // A socket that asks for its peer's credentials gets a name when it tries to connect.
     (
         "name-for-a-socket-by-connecting",
-        "let (on, to, mut name, mut size) = (1_u32, [1_u8, 0, 0], [0_u8; 110], 110_u32); call(54, 0, 1, 16, &raw const on as usize, 4); call(42, 0, to.as_ptr() as usize, 3, 0, 0); call(51, 0, name.as_mut_ptr() as usize, &raw mut size as usize, 0, 0); size > 2 || [54, 42, 50, 43, 288].into_iter().any(|n| call(n, 0, 0, 0, 0, 0) != -38)",
+        "let (on, to, mut name, mut size) = (1_u32, [1_u8, 0, 0], [0_u8; 110], 110_u32); call(54, 0, 1, 16, &raw const on as usize, 4); call(42, 0, to.as_ptr() as usize, 3, 0, 0); call(51, 0, name.as_mut_ptr() as usize, &raw mut size as usize, 0, 0) == 0 && size > 2 || [54, 42, 50, 43, 288].into_iter().any(|n| call(n, 0, 0, 0, 0, 0) != -38)",
     ),
     (
         "times-of-a-device",
