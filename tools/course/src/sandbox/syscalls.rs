@@ -106,7 +106,7 @@ const NAMESPACES: libc::c_int = CLONE_NEWCGROUP
     | CLONE_NEWUTS;
 
 /// Calls that answers may make with any arguments.
-const ALLOWED: [libc::c_long; 62] = [
+const ALLOWED: [libc::c_long; 60] = [
     // The program is started after this list is in force.
     libc::SYS_execve,
     libc::SYS_exit,
@@ -131,8 +131,6 @@ const ALLOWED: [libc::c_long; 62] = [
     libc::SYS_dup3,
     libc::SYS_ppoll,
     libc::SYS_fstat,
-    libc::SYS_newfstatat,
-    libc::SYS_statx,
     libc::SYS_faccessat,
     libc::SYS_faccessat2,
     libc::SYS_readlinkat,
@@ -175,12 +173,11 @@ const ALLOWED: [libc::c_long; 62] = [
 
 /// The same calls under the names that only x86-64 still has.
 #[cfg(target_arch = "x86_64")]
-const ALLOWED_OLD_NAMES: [libc::c_long; 8] = [
+const ALLOWED_OLD_NAMES: [libc::c_long; 7] = [
     libc::SYS_arch_prctl,
     libc::SYS_dup2,
     libc::SYS_access,
     libc::SYS_stat,
-    libc::SYS_lstat,
     libc::SYS_readlink,
     libc::SYS_poll,
     libc::SYS_time,
@@ -253,9 +250,13 @@ fn allowed() -> Result<Rules, BackendError> {
     // Threads, but no process. A descriptor of a thread would tell how many the machine has started.
     let kinds = NAMESPACES | CLONE_PIDFD | CLONE_THREAD;
     rules.insert(libc::SYS_clone, vec![with_flags(0, kinds, CLONE_THREAD)?]);
-    // No new file, with or without a name, and none that is emptied.
-    let changes = libc::O_CREAT | libc::O_TRUNC | (libc::O_TMPFILE & !libc::O_DIRECTORY);
-    rules.insert(libc::SYS_openat, vec![with_flags(2, changes, 0)?]);
+    // No new file, with or without a name, none that is emptied, and no link itself. Even code that
+    // can't read a link's target can change the time at which the link was last read.
+    let nameless = libc::O_TMPFILE & !libc::O_DIRECTORY;
+    let opened = libc::O_CREAT | nameless | libc::O_TRUNC | libc::O_PATH;
+    rules.insert(libc::SYS_openat, vec![with_flags(2, opened, 0)?]);
+    let of_link = libc::AT_SYMLINK_NOFOLLOW;
+    rules.insert(libc::SYS_newfstatat, vec![with_flags(3, of_link, 0)?]);
     // Unmapped pages of a shared mapping no longer count as the process's own, but stay in memory
     // until the last page of the mapping is unmapped. Huge pages don't count at all.
     let uncounted = libc::MAP_SHARED | libc::MAP_HUGETLB;
@@ -266,7 +267,7 @@ fn allowed() -> Result<Rules, BackendError> {
     #[cfg(target_arch = "x86_64")]
     {
         rules.extend(ALLOWED_OLD_NAMES.map(|call| (call, Vec::new())));
-        rules.insert(libc::SYS_open, vec![with_flags(1, changes, 0)?]);
+        rules.insert(libc::SYS_open, vec![with_flags(1, opened, 0)?]);
     }
     Ok(rules)
 }

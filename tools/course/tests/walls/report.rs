@@ -44,6 +44,42 @@ pub fn while_compiling(mode: &str, user: u32, limits: &Limits) -> String {
         .replace(", ", "\n")
 }
 
+/// The calls of the probe that answers may not make.
+const UNKNOWN: [&str; 32] = [
+    "ptrace",
+    "clone a namespace",
+    "add a filter",
+    "add a filter by its old name",
+    "rules",
+    "clone a process",
+    "clone a watched thread",
+    "socket",
+    "ask a socket",
+    "make a folder",
+    "openat a new file",
+    "openat to empty a file",
+    "openat a link",
+    "openat a file without a name",
+    "open a new file",
+    "open to empty a file",
+    "open a file without a name",
+    "share memory",
+    "use huge pages",
+    "lock",
+    "store a number",
+    "ask for addresses",
+    "look at a link",
+    "look at a link by its old name",
+    "look at a link by its new name",
+    "store an attribute",
+    "cut a file",
+    "make a timer",
+    "watch a process",
+    "outlive the parent",
+    "take a name",
+    "make a table of futexes",
+];
+
 /// What the probe should say as an answer.
 pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
     let environment = match mode {
@@ -59,14 +95,7 @@ pub fn while_answering(mode: &str, user: u32, limits: &Limits) -> String {
     confined(user, limits)
         + &format!(
             "environment [\"{environment}\"]\n\
-             unknown calls [\"ptrace\", \"clone a namespace\", \"add a filter\", \
-             \"add a filter by its old name\", \"rules\", \"clone a process\", \
-             \"clone a watched thread\", \"socket\", \"ask a socket\", \"make a folder\", \
-             \"openat a new file\", \"openat to empty a file\", \"openat a file without a name\", \"open a new file\", \
-             \"open to empty a file\", \"open a file without a name\", \"share memory\", \"use huge pages\", \"lock\", \"store a number\", \
-             \"ask for addresses\", \"store an attribute\", \"cut a file\", \
-             \"make a timer\", \"watch a process\", \"outlive the parent\", \
-             \"take a name\", \"make a table of futexes\"]\n"
+             unknown calls {UNKNOWN:?}\n"
         )
         + &format!("{may}the secret is in pinhole/secret, ").replace(", ", "\n")
 }
