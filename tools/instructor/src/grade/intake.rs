@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 use self::hand_in::HandIn;
 use self::index::Index;
 use self::matching::Proof;
-use self::names::Sign;
+use self::names::{Platform, PlatformName, Sign};
 use self::reader::file_names;
 use self::roster::Person;
 use self::source::Source;
@@ -50,6 +50,9 @@ pub struct Entry {
     /// The names of its files and folders, which may say when it was handed in.
     #[serde(default)]
     pub given: Vec<String>,
+    /// The platform that gave these names, if one did.
+    #[serde(default)]
+    pub platform: Option<Platform>,
     /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
     /// The most that these names can prove.
@@ -80,6 +83,13 @@ impl Entry {
     /// was handed in.
     pub fn key(&self) -> &str {
         file_names::stem(&self.name)
+    }
+
+    /// The names that this platform gave to its files, if each can be read in one way only.
+    pub fn named_by(&self, of: Platform) -> impl Iterator<Item = PlatformName<'_>> {
+        let given = self.given.iter().filter(move |_| self.platform == Some(of));
+        let names = given.filter_map(|name| names::platform(name));
+        names.filter(move |name| name.platform == of)
     }
 
     /// What its author should know about how it was read.
@@ -222,6 +232,7 @@ fn entry(
         id,
         name: one.name,
         given: one.given,
+        platform: one.platform,
         signs: one.signs,
         at_most: one.at_most,
         notes: Vec::new(),

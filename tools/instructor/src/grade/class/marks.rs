@@ -125,7 +125,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         match policy.times.is_empty() {
             false => (
                 "not in the table of times: counted as on time",
-                false,
+                true,
                 open.unknown,
             ),
             true => (

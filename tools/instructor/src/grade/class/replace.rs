@@ -64,7 +64,8 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     Err(Error::input(
         format!("the --out folder has results for {count} now missing: {some}"),
         format!(
-            "{instead}; to drop those that are missing, first delete {}",
+            "{instead}; to drop those that are missing, first delete {}, and pass a newer table of times \
+             if there is one (`times` in policy.toml)",
             earlier.display()
         ),
     ))

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::matching::Proof;
-use super::names::{self, PlatformName, Sign};
+use super::names::{self, Platform, PlatformName, Sign};
 use super::reader::{Content, FoundFile, file_names};
 
 /// What one person handed in.
@@ -12,6 +12,8 @@ pub struct HandIn {
     pub name: String,
     /// The names of its files or folders, as the platform gave them.
     pub given: Vec<String>,
+    /// The platform that exported these files, if one did.
+    pub platform: Option<Platform>,
     /// What the names say about the person. There are several signs if the names may contradict
     /// each other.
     pub signs: Vec<Sign>,
@@ -64,25 +66,31 @@ pub fn account(name: &str) -> String {
 }
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they
-/// can prove. The name of an archive may be its author's choice.
-pub fn signs(name: &str) -> (Vec<Sign>, Proof) {
+/// can prove. The name of an archive may be its author's choice, unless it comes from this platform.
+pub fn signs(name: &str, from: Option<Platform>) -> (Vec<Sign>, Proof) {
     let platforms = names::platforms(name);
-    match platforms.is_empty() {
-        false => (
-            platforms.iter().map(PlatformName::sign).collect(),
-            Proof::Id,
-        ),
-        true if file_names::is_archive(name) => (
-            vec![Sign::Plain(file_names::stem(name).into())],
-            Proof::Name,
-        ),
-        true => (vec![Sign::Plain(name.into())], Proof::Id),
-    }
+    let is_archive = file_names::is_archive(name);
+    let is_given = platforms.iter().any(|it| Some(it.platform) == from);
+    let at_most = match is_archive && !is_given {
+        true => Proof::Name,
+        false => Proof::Id,
+    };
+    let plain = if is_archive {
+        file_names::stem(name)
+    } else {
+        name
+    };
+    let signs = match platforms.is_empty() {
+        true => vec![Sign::Plain(plain.into())],
+        false => platforms.iter().map(PlatformName::sign).collect(),
+    };
+    (signs, at_most)
 }
 
 /// Divides the files of a class among its people.
 pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
+    let platform = names::exported_by(tops.keys());
     let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
         let holds = |it: &FoundFile| {
@@ -99,26 +107,33 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
         };
         all.entry(name).or_default().push((top, found));
     }
-    let all = all.into_iter().map(|(name, parts)| of_one(name, parts));
+    let all = all
+        .into_iter()
+        .map(|(name, parts)| of_one(name, platform, parts));
     (all.collect(), ignored)
 }
 
 /// What one person handed in, in one or several uploads. Of several archives, only the newest
 /// counts.
-fn of_one(name: String, parts: Vec<(String, Vec<FoundFile>)>) -> HandIn {
+fn of_one(
+    name: String,
+    platform: Option<Platform>,
+    parts: Vec<(String, Vec<FoundFile>)>,
+) -> HandIn {
     let order = |top: &str| names::platform(top).map_or(0, |it| it.upload);
     let archives = parts.iter().map(|(top, _)| top);
     let newest = archives
         .filter(|top| file_names::is_archive(top))
         .map(|top| order(top))
         .max();
-    let (signs, at_most) = signs(&parts[0].0);
+    let (signs, at_most) = signs(&parts[0].0, platform);
     let mut hand_in = HandIn {
         signs,
         at_most,
         doubts: Vec::new(),
         name,
         given: Vec::new(),
+        platform,
         uploads: Vec::new(),
         superseded: Vec::new(),
     };

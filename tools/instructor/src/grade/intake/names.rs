@@ -33,13 +33,21 @@ pub enum Sign {
     Plain(String),
 }
 
-#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Platform {
     Canvas,
     Moodle,
     Blackboard,
     Brightspace,
 }
+
+const PLATFORMS: [Platform; 4] = [
+    Platform::Canvas,
+    Platform::Moodle,
+    Platform::Blackboard,
+    Platform::Brightspace,
+];
 
 /// A name given by a platform.
 #[derive(Clone, Debug, PartialEq)]
@@ -229,6 +237,21 @@ pub fn platform(name: &str) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
 
+/// The platform that has exported a class: the one as whose most of these names can be read. What an
+/// uploader adds to a name may look like another platform's.
+pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Platform> {
+    let read = |name: &String| -> Vec<Platform> {
+        let all = platforms(name).into_iter();
+        all.map(|it| it.platform).collect()
+    };
+    let all: Vec<Vec<Platform>> = names.map(read).collect();
+    let count = |of| all.iter().filter(|it| it.contains(&of)).count();
+    let mut counts = PLATFORMS.map(|it| (count(it), it));
+    counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let [(most, platform), (next, _), ..] = counts;
+    (most > next && 2 * most > all.len()).then_some(platform)
+}
+
 /// When something was handed in, according to its names.
 #[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
 pub enum HandInTime<Time> {
@@ -237,11 +260,12 @@ pub enum HandInTime<Time> {
     Late,
 }
 
-/// When these files were handed in, according to their names. The latest time counts, and one late
-/// file makes all of them late. If a name can be read in several ways, one of them gives the
-/// platform's time. So what the uploader adds can only make a submission later.
-pub fn handed_in(given: &[String]) -> Option<HandInTime<DateTime>> {
+/// When these files were handed in, according to the names that a platform gave to them. The latest
+/// time counts, and one late file makes all of them late. If a name can be read in several ways, one
+/// of them gives the platform's time. So what the uploader adds can only make a submission later.
+pub fn handed_in(given: &[String], of: Platform) -> Option<HandInTime<DateTime>> {
     let names = given.iter().flat_map(|name| platforms(name));
+    let names = names.filter(|name| name.platform == of);
     names.filter_map(|name| name.handed_in).max()
 }
 
@@ -250,10 +274,30 @@ mod tests {
     use super::*;
 
     #[test]
+    fn most_names_tell_the_platform_whatever_uploaders_add() {
+        let export = |names: &[&str]| {
+            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
+            exported_by(names.iter())
+        };
+        let [ada, bob, eve] = [
+            "Ada_11_assignsubmission_file_hw.zip",
+            "Bob_12_assignsubmission_file_hw.zip",
+            "Eve_13_assignsubmission_file_x_attempt_2026-11-20-10-00-00.zip",
+        ];
+        assert_eq!(export(&[ada, bob, eve]), Some(Platform::Moodle));
+        assert_eq!(export(&[ada, eve, "index.html"]), Some(Platform::Moodle));
+        // Nobody knows.
+        assert_eq!(export(&[eve]), None);
+        assert_eq!(export(&["1001", "1002", "manneve_11_1_hw.zip"]), None);
+        assert_eq!(export(&[]), None);
+    }
+
+    #[test]
     fn names_say_when_something_was_handed_in() {
         let of = |names: &[&str]| {
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            match handed_in(&names) {
+            let read = PLATFORMS.iter().filter_map(|of| handed_in(&names, *of));
+            match read.max() {
                 Some(HandInTime::At(time)) => time.to_string(),
                 Some(HandInTime::Late) => "late".into(),
                 None => "unknown".into(),

@@ -187,7 +187,7 @@ impl Source<'_> {
             order: 0,
             content: found.content,
         };
-        let (signs, mut at_most) = signs(&self.name);
+        let (signs, mut at_most) = signs(&self.name, None);
         // Its author may have chosen a name like a platform's.
         if self.is_archive {
             at_most = at_most.min(Proof::Name);
@@ -197,6 +197,7 @@ impl Source<'_> {
             at_most,
             doubts,
             name: account(&self.name),
+            platform: names::platform(&self.name).map(|it| it.platform),
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),
             superseded: Vec::new(),

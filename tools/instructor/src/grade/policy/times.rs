@@ -173,7 +173,9 @@ impl Policy {
                 false => last(&named).or(|| last(&by_id)),
             };
         };
-        let signs = entry.signs.iter().filter_map(|sign| match sign {
+        // Without a platform, a person may have put another's number into a name.
+        let signs = entry.signs.iter().filter(|_| entry.platform.is_some());
+        let signs = signs.filter_map(|sign| match sign {
             Sign::Account {
                 number,
                 name,
@@ -243,7 +245,8 @@ impl Policy {
 
     /// When a submission was handed in, according to the names of its files.
     pub fn named(&self, entry: &Entry) -> Option<HandInTime<Timestamp>> {
-        names::handed_in(&entry.given).map(|named| match named {
+        let named = names::handed_in(&entry.given, entry.platform?)?;
+        Some(match named {
             HandInTime::Late => HandInTime::Late,
             HandInTime::At(local) => {
                 let time = local.to_zoned(self.zone()).map(|time| time.timestamp());

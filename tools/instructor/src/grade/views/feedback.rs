@@ -10,7 +10,7 @@ use super::gradebook::has_number_of;
 use super::report;
 use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
-use crate::grade::intake::names::{Platform, platform, platforms};
+use crate::grade::intake::names::{Platform, platforms};
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The archives for Canvas, for Moodle, and for other ways of sending.
@@ -43,7 +43,7 @@ fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
     let given = platforms(name).into_iter().next();
     let given = given.filter(|it| it.platform == Platform::Canvas && it.upload > 0)?;
-    if row.is_shared {
+    if row.is_shared || row.entry.platform != Some(Platform::Canvas) {
         return None;
     }
     let own = name.strip_suffix(given.rest)?;
@@ -54,9 +54,8 @@ fn for_canvas(row: &Row) -> Option<String> {
 /// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source). A group's
 /// number may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder.
 fn for_moodle(row: &Row) -> Option<String> {
-    let names = row.entry.given.iter();
-    let mut names = names.filter_map(|name| platform(name));
-    let name = names.find(|it| it.platform == Platform::Moodle && !row.is_shared)?;
+    let mut names = row.entry.named_by(Platform::Moodle);
+    let name = names.next().filter(|_| !row.is_shared)?;
     if row.person.is_some_and(|it| !has_number_of(&name, it)) {
         return None;
     }
@@ -175,6 +174,7 @@ mod tests {
             id: "7".into(),
             name: "7.zip".into(),
             given: Vec::new(),
+            platform: None,
             signs: Vec::new(),
             at_most: Proof::Name,
             notes: Vec::new(),

@@ -8,7 +8,7 @@ use crate::grade::class::concern::{Concern, in_words};
 use crate::grade::class::{Class, Row};
 use crate::grade::intake::Entry;
 use crate::grade::intake::matching::is_own_number;
-use crate::grade::intake::names::{Platform, PlatformName, platform};
+use crate::grade::intake::names::{Platform, PlatformName};
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::mark::{Mark, number};
 use pinhole_report::escape::printable;
@@ -143,9 +143,7 @@ struct Accounts {
 impl Accounts {
     fn new(entries: &[Entry], of: Platform) -> Accounts {
         let mut submissions: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
-        let names = entries.iter().flat_map(|entry| &entry.given);
-        let names = names.filter_map(|name| platform(name));
-        for name in names.filter(|name| name.platform == of) {
+        for name in entries.iter().flat_map(|entry| entry.named_by(of)) {
             let all = submissions.entry(name.number).or_default();
             all.insert(name.submission);
         }
@@ -156,10 +154,9 @@ impl Accounts {
 
     /// The number of a person: from the roster, or from what was handed in.
     fn number(&self, person: &Person, row: &Row) -> String {
-        let names = row.entry.given.iter().filter_map(|name| platform(name));
         // The number in what was handed in is that of the person who uploaded it, not of the
         // others in the group.
-        let mut names = names.filter(|name| name.platform == self.of && !row.is_shared);
+        let mut names = row.entry.named_by(self.of).filter(|_| !row.is_shared);
         let named = names.next().filter(|name| has_number_of(name, person));
         let named = named.map(|name| name.number.to_owned());
         let named = named.filter(|number| !self.contested.contains(number));

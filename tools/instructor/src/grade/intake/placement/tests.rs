@@ -11,6 +11,7 @@ fn entry(name: &str) -> Entry {
     };
     Entry {
         given: Vec::new(),
+        platform: None,
         id: name.into(),
         name: name.into(),
         signs,
