@@ -15,7 +15,7 @@ use libc::{
     CLONE_NEWCGROUP, CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER,
     CLONE_NEWUTS, CLONE_PIDFD, CLONE_THREAD,
 };
-use seccompiler::SeccompCmpArgLen::Dword;
+use seccompiler::SeccompCmpArgLen::{Dword, Qword};
 use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
 use seccompiler::{
     BackendError, BpfProgram, SeccompAction, SeccompCondition, SeccompFilter, SeccompRule,
@@ -106,7 +106,7 @@ const NAMESPACES: libc::c_int = CLONE_NEWCGROUP
     | CLONE_NEWUTS;
 
 /// Calls that answers may make with any arguments.
-const ALLOWED: [libc::c_long; 60] = [
+const ALLOWED: [libc::c_long; 55] = [
     // The program is started after this list is in force.
     libc::SYS_execve,
     libc::SYS_exit,
@@ -115,7 +115,6 @@ const ALLOWED: [libc::c_long; 60] = [
     libc::SYS_mprotect,
     libc::SYS_mremap,
     libc::SYS_munmap,
-    libc::SYS_madvise,
     libc::SYS_read,
     libc::SYS_readv,
     libc::SYS_pread64,
@@ -150,12 +149,8 @@ const ALLOWED: [libc::c_long; 60] = [
     libc::SYS_tgkill,
     libc::SYS_tkill,
     libc::SYS_nanosleep,
-    libc::SYS_clock_nanosleep,
-    libc::SYS_clock_gettime,
-    libc::SYS_clock_getres,
     libc::SYS_gettimeofday,
     libc::SYS_getrandom,
-    libc::SYS_prlimit64,
     libc::SYS_getrlimit,
     libc::SYS_getpid,
     libc::SYS_getppid,
@@ -196,6 +191,20 @@ const ALLOWED_OF_FCNTL: [u64; 6] = [
 
 /// The only commands of `ioctl` that answers may use, and that the standard library uses. Others tell the machine's addresses, for example.
 const ALLOWED_OF_IOCTL: [u64; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
+
+/// The only advice to `madvise` that answers may give, and that the C library gives. Other advice
+/// drops pages of files that another program then has to read again.
+const ALLOWED_OF_MADVISE: [u64; 6] = [
+    libc::MADV_DONTNEED as u64,
+    libc::MADV_FREE as u64,
+    libc::MADV_HUGEPAGE as u64,
+    libc::MADV_NOHUGEPAGE as u64,
+    MADV_GUARD_INSTALL,
+    MADV_GUARD_INSTALL + 1,
+];
+
+/// `MADV_GUARD_INSTALL`, which Linux has had since 6.13. The next number removes the guard.
+const MADV_GUARD_INSTALL: u64 = 102;
 
 /// The only options of `prctl` that answers may use. With others, it could outlive the
 /// grader, give its threads names that every user of the machine can read, or make the kernel use
@@ -261,6 +270,16 @@ fn allowed() -> Result<Rules, BackendError> {
     // until the last page of the mapping is unmapped. Huge pages don't count at all.
     let uncounted = libc::MAP_SHARED | libc::MAP_HUGETLB;
     rules.insert(libc::SYS_mmap, vec![with_flags(3, uncounted, 0)?]);
+    rules.insert(libc::SYS_madvise, one_of(2, &ALLOWED_OF_MADVISE)?);
+    // Only the clocks with the numbers 0 to 7. Others are those of other processes.
+    for call in [libc::SYS_clock_gettime, libc::SYS_clock_nanosleep] {
+        rules.insert(call, vec![with_flags(0, !7, 0)?]);
+    }
+    // Limits may be read, but not changed.
+    let of_itself = SeccompCondition::new(0, Dword, Eq, 0)?;
+    let to_nothing = SeccompCondition::new(2, Qword, Eq, 0)?;
+    let read_limit = SeccompRule::new(vec![of_itself, to_nothing])?;
+    rules.insert(libc::SYS_prlimit64, vec![read_limit]);
     rules.insert(libc::SYS_fcntl, one_of(1, &ALLOWED_OF_FCNTL)?);
     rules.insert(libc::SYS_ioctl, one_of(1, &ALLOWED_OF_IOCTL)?);
     rules.insert(libc::SYS_prctl, one_of(0, &ALLOWED_OF_PRCTL)?);

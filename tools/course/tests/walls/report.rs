@@ -45,7 +45,7 @@ pub fn while_compiling(mode: &str, user: u32, limits: &Limits) -> String {
 }
 
 /// The calls of the probe that answers may not make.
-const UNKNOWN: [&str; 32] = [
+const UNKNOWN: [&str; 36] = [
     "ptrace",
     "clone a namespace",
     "add a filter",
@@ -74,6 +74,10 @@ const UNKNOWN: [&str; 32] = [
     "store an attribute",
     "cut a file",
     "make a timer",
+    "drop pages",
+    "ask for the clock of a process",
+    "change a limit",
+    "change the limit of another",
     "watch a process",
     "outlive the parent",
     "take a name",
