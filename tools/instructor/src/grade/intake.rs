@@ -88,7 +88,7 @@ impl Entry {
     /// The names that this platform gave to its files, if each can be read in one way only.
     pub fn named_by(&self, of: Platform) -> impl Iterator<Item = PlatformName<'_>> {
         let given = self.given.iter().filter(move |_| self.platform == Some(of));
-        let names = given.filter_map(|name| names::platform(name));
+        let names = given.filter_map(move |name| names::reading(name, Some(of)));
         names.filter(move |name| name.platform == of)
     }
 

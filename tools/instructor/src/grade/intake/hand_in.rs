@@ -1,6 +1,6 @@
 //! Collects what each person handed in.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Proof;
 use super::names::{self, Platform, PlatformName, Sign};
@@ -62,13 +62,13 @@ pub fn tops(found: Vec<FoundFile>) -> Tops {
 /// The key under which files are collected. If the name is a platform's, it is what the
 /// platform calls the submission. Otherwise, it is the whole name.
 pub fn account(name: &str) -> String {
-    names::platform(name).map_or(name.into(), |it| it.submission)
+    names::reading(name, None).map_or(name.into(), |it| it.submission)
 }
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they
 /// can prove. The name of an archive may be its author's choice, unless it comes from this platform.
 pub fn signs(name: &str, from: Option<Platform>) -> (Vec<Sign>, Proof) {
-    let platforms = names::platforms(name);
+    let platforms = names::readings(name, from);
     let is_archive = file_names::is_archive(name);
     let is_given = platforms.iter().any(|it| Some(it.platform) == from);
     let at_most = match is_archive && !is_given {
@@ -96,8 +96,8 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
         let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
-        let name = match &names::platforms(&top)[..] {
-            [_] => account(&top),
+        let name = match &names::readings(&top, platform)[..] {
+            [only] => only.submission.clone(),
             [] if !found.iter().any(holds) => {
                 let is_settings = top.starts_with('.') && !top.ends_with('/');
                 ignored.extend((!is_settings || file_names::is_archive(&top)).then_some(top));
@@ -107,9 +107,20 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
         };
         all.entry(name).or_default().push((top, found));
     }
-    let all = all
-        .into_iter()
-        .map(|(name, parts)| of_one(name, platform, parts));
+    let accounts: BTreeSet<String> = all.keys().cloned().collect();
+    let is_further = |hand_in: &HandIn| {
+        let name = &hand_in.name;
+        let mut others = names::readings(name, platform).into_iter();
+        others.any(|it| it.submission != *name && accounts.contains(&it.submission))
+    };
+    let all = all.into_iter().map(|(name, parts)| {
+        let mut hand_in = of_one(name, platform, parts);
+        if is_further(&hand_in) {
+            let why = "it may be a further upload by somebody of whom only the newest counts";
+            hand_in.doubts.push(why.into());
+        }
+        hand_in
+    });
     (all.collect(), ignored)
 }
 
@@ -120,7 +131,7 @@ fn of_one(
     platform: Option<Platform>,
     parts: Vec<(String, Vec<FoundFile>)>,
 ) -> HandIn {
-    let order = |top: &str| names::platform(top).map_or(0, |it| it.upload);
+    let order = |top: &str| names::reading(top, platform).map_or(0, |it| it.upload);
     let archives = parts.iter().map(|(top, _)| top);
     let newest = archives
         .filter(|top| file_names::is_archive(top))
@@ -144,7 +155,7 @@ fn of_one(
             continue;
         }
         hand_in.given.push(top.clone());
-        let rest = names::platform(&top).map_or(top.clone(), |it| it.rest.into());
+        let rest = names::reading(&top, platform).map_or(top.clone(), |it| it.rest.into());
         let uploads = found.into_iter().map(|found| Upload {
             path: match (found.path.len(), &found.content) {
                 (1, Content::Answer { .. } | Content::Other) => vec![rest.clone()],

@@ -231,9 +231,19 @@ pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
     all
 }
 
-/// The only way to read a name as a platform's.
-pub fn platform(name: &str) -> Option<PlatformName<'_>> {
+/// All ways to read a name as that of the platform it comes from. If it doesn't look like that
+/// platform's, or nobody knows the platform, all ways.
+pub fn readings(name: &str, from: Option<Platform>) -> Vec<PlatformName<'_>> {
     let mut all = platforms(name);
+    if all.iter().any(|it| Some(it.platform) == from) {
+        all.retain(|it| Some(it.platform) == from);
+    }
+    all
+}
+
+/// The only one of these ways.
+pub fn reading(name: &str, from: Option<Platform>) -> Option<PlatformName<'_>> {
+    let mut all = readings(name, from);
     all.pop().filter(|_| all.is_empty())
 }
 

@@ -197,7 +197,7 @@ impl Source<'_> {
             at_most,
             doubts,
             name: account(&self.name),
-            platform: names::platform(&self.name).map(|it| it.platform),
+            platform: names::reading(&self.name, None).map(|it| it.platform),
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),
             superseded: Vec::new(),

@@ -54,6 +54,30 @@ fn only_the_platform_of_the_export_gives_times_and_numbers() {
 }
 
 #[test]
+fn an_upload_that_may_be_a_persons_second_is_listed() {
+    let export = Export::new();
+    for file in [
+        "moodle/Ada Lovelace_11_assignsubmission_file_hw.zip",
+        "moodle/Eve Mann_13_assignsubmission_file_hw.zip",
+        "moodle/Eve Mann_13_assignsubmission_file_Eve_13_1_b.zip",
+        "canvas/lovelaceada_11_501_hw.zip",
+        "canvas/manneve_13_502_hw.zip",
+        "canvas/manneve_13_503_manneve_13_1_b.zip",
+    ] {
+        export.put(file, &zip(&answers("", "somebody")));
+    }
+    export.is_of("moodle", &["Ada Lovelace_11", "Eve Mann_13"]);
+    let further = "canvas/manneve_13_503_manneve_13_1_b.zip";
+    for entry in export.find("canvas").entries {
+        let is_listed = entry
+            .doubts
+            .iter()
+            .any(|it| it.contains("a further upload"));
+        assert_eq!(is_listed, further.ends_with(&entry.name), "{entry:?}");
+    }
+}
+
+#[test]
 fn a_folder_with_names_of_others_beside_single_submissions_is_listed() {
     let export = Export::new();
     export.put_all("clones/hw1-mal/2001", answers("", "mallory"));
