@@ -71,9 +71,8 @@ pub fn with_login<'a>(text: &str, title: &str, people: &'a [Person]) -> (Proof, 
     for at in starts {
         let is = |own: &str| own.eq_ignore_ascii_case(&text[at..]);
         for person in people {
-            let is_assigned = is(&person.id) || person.logins.iter().any(|it| is(it));
-            let mut locals = person.logins.iter().filter_map(|it| it.split('@').next());
-            if !is_assigned && !locals.any(is) {
+            let is_assigned = is(&person.id) || person.assigned_logins().any(|it| is(it));
+            if !is_assigned && !person.addresses().any(is) {
                 continue;
             }
             if at != title || !is_assigned {

@@ -13,8 +13,8 @@ use super::roster::Person;
 pub enum Kind {
     /// An id or a login that the university assigned.
     Assigned,
-    /// A login on GitHub, the beginning of an e-mail address, or a group's name. People may have
-    /// chosen it.
+    /// A login on GitHub, an e-mail address, its beginning, or a group's name. People may have chosen
+    /// it.
     Chosen,
     /// A display name of several words.
     Name,
@@ -153,16 +153,16 @@ impl<'a> Index<'a> {
 /// The id and the logins of a person, as the university assigned them.
 fn assigned(person: &Person) -> impl Iterator<Item = &str> {
     let id = (!has_chosen_id(person)).then_some(&person.id);
-    id.into_iter().chain(&person.logins).map(String::as_str)
+    id.into_iter()
+        .chain(person.assigned_logins())
+        .map(String::as_str)
 }
 
-/// What a person may have chosen: a login on GitHub, the beginnings of addresses, and the name of a
-/// group.
+/// What a person may have chosen: a login on GitHub, addresses and their beginnings, and the name of
+/// a group.
 fn chosen(person: &Person) -> impl Iterator<Item = &str> {
-    let addresses = person.logins.iter().filter_map(|it| it.split_once('@'));
-    let locals = addresses.map(|(local, _)| local);
     let others = person.github.iter().chain(&person.group);
-    locals.chain(others.map(String::as_str))
+    person.addresses().chain(others.map(String::as_str))
 }
 
 /// The places of the words of a text. In an archive, a name may have thousands; the first are

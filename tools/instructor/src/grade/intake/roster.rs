@@ -38,6 +38,20 @@ impl Person {
     pub fn all_logins(&self) -> impl Iterator<Item = &String> {
         self.logins.iter().chain(&self.github)
     }
+
+    /// The logins that the university assigned.
+    pub fn assigned_logins(&self) -> impl Iterator<Item = &String> {
+        self.logins.iter().filter(|it| !it.contains('@'))
+    }
+
+    /// E-mail addresses, and their parts before the `@`. On some platforms, people type them in.
+    pub fn addresses(&self) -> impl Iterator<Item = &str> {
+        let addresses = self
+            .logins
+            .iter()
+            .filter_map(|it| Some((it, it.split_once('@')?)));
+        addresses.flat_map(|(whole, (local, _))| [whole, local])
+    }
 }
 
 /// Names of columns, in lower case and without spaces: ours, and those of Canvas's gradebook,

@@ -34,12 +34,12 @@ pub fn canvas(class: &Class) -> String {
             continue;
         };
         // Otherwise, people may have chosen the login.
-        let login = person.logins.first().filter(|_| person.has_assigned_id);
+        let mut logins = person.assigned_logins().filter(|_| person.has_assigned_id);
         table.line(&[
             canvas_name(person),
             number_there,
             id,
-            login.cloned().unwrap_or_default(),
+            logins.next().cloned().unwrap_or_default(),
             person.section.clone(),
             number(mark.last),
         ]);

@@ -472,6 +472,10 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
     people[2].logins = vec!["zm@x.org".into()];
     let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people));
     assert_eq!(placed.by_name, [zoe], "{placed:?}");
+    // So may the whole address.
+    let zoes = of("zm@x.org");
+    let placed = place(&entries(&[&ada, &bob, &zoes]), Some(&people));
+    assert_eq!(placed.by_name, [zoes], "{placed:?}");
     // A login may end in another person's.
     people[3].logins = vec!["bob".into()];
     let placed = place(&entries(&[&bob]), Some(&people));
