@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 
 use libc::{
     CLONE_NEWCGROUP, CLONE_NEWIPC, CLONE_NEWNET, CLONE_NEWNS, CLONE_NEWPID, CLONE_NEWUSER,
-    CLONE_NEWUTS, CLONE_PIDFD, CLONE_THREAD,
+    CLONE_NEWUTS, CLONE_THREAD,
 };
 use seccompiler::SeccompCmpArgLen::{Dword, Qword};
 use seccompiler::SeccompCmpOp::{Eq, MaskedEq};
@@ -104,6 +104,17 @@ const NAMESPACES: libc::c_int = CLONE_NEWCGROUP
     | CLONE_NEWPID
     | CLONE_NEWUSER
     | CLONE_NEWUTS;
+
+/// The flags of `clone` that a thread may have.
+const OF_THREADS: libc::c_int = libc::CLONE_VM
+    | libc::CLONE_FS
+    | libc::CLONE_FILES
+    | libc::CLONE_SIGHAND
+    | libc::CLONE_SYSVSEM
+    | libc::CLONE_SETTLS
+    | libc::CLONE_PARENT_SETTID
+    | libc::CLONE_CHILD_CLEARTID
+    | libc::CLONE_DETACHED;
 
 /// Calls that answers may make with any arguments.
 const ALLOWED: [libc::c_long; 55] = [
@@ -256,9 +267,12 @@ fn denied(landlock_too: bool) -> Result<Rules, BackendError> {
 
 fn allowed() -> Result<Rules, BackendError> {
     let mut rules = Rules::from(ALLOWED.map(|call| (call, Vec::new())));
-    // Threads, but no process. A descriptor of a thread would tell how many the machine has started.
-    let kinds = NAMESPACES | CLONE_PIDFD | CLONE_THREAD;
-    rules.insert(libc::SYS_clone, vec![with_flags(0, kinds, CLONE_THREAD)?]);
+    // Threads as the C library makes them, but no process. A descriptor of a thread would tell how
+    // many the machine has started, and a thread that waits for another would seem to be busy.
+    rules.insert(
+        libc::SYS_clone,
+        vec![with_flags(0, !OF_THREADS, CLONE_THREAD)?],
+    );
     // No new file, with or without a name, none that is emptied, and no link itself. Even code that
     // can't read a link's target can change the time at which the link was last read.
     let nameless = libc::O_TMPFILE & !libc::O_DIRECTORY;

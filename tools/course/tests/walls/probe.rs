@@ -71,6 +71,7 @@ fn main() {
         ("rules", 444, [0, 0, 1, 0]),
         ("clone a process", 56, [0x800, 0, 0, 0]),
         ("clone a thread", 56, [0x1_0000, 0, 0, 0]),
+        ("clone a thread that is waited for", 56, [0x1_4000, 0, 0, 0]),
         ("clone a watched thread", 56, [0x1_1000, 0, 0, 0]),
         ("socket", 41, [-1, -1, -1, 0]),
         ("ask a socket", 55, [0, 1, 57, 0]),

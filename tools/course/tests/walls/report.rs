@@ -45,13 +45,14 @@ pub fn while_compiling(mode: &str, user: u32, limits: &Limits) -> String {
 }
 
 /// The calls of the probe that answers may not make.
-const UNKNOWN: [&str; 36] = [
+const UNKNOWN: [&str; 37] = [
     "ptrace",
     "clone a namespace",
     "add a filter",
     "add a filter by its old name",
     "rules",
     "clone a process",
+    "clone a thread that is waited for",
     "clone a watched thread",
     "socket",
     "ask a socket",
