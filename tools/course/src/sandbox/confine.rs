@@ -131,6 +131,7 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         (Resource::Core, 1),
         (Resource::Memlock, 0),
         (Resource::Msgqueue, 0),
+        (Resource::Sigpending, 0),
     ] {
         // If a lower limit is already set, we may not be allowed to raise it.
         let most = getrlimit(resource)

@@ -44,6 +44,7 @@ fn main() {
         ("open files", 7),
         ("locked memory", 8),
         ("address space", 9),
+        ("pending signals", 11),
         ("message queues", 12),
     ] {
         let mut limit = [0; 2];

@@ -126,6 +126,7 @@ fn confined(user: u32, limits: &Limits) -> String {
          open files [{open_files}, {open_files}]\n\
          locked memory [0, 0]\n\
          address space [{address_space}, {address_space}]\n\
+         pending signals [0, 0]\n\
          message queues [0, 0]\n\
          no new privileges 1, filter 2, dies with parent by 9\n\
          leads its session true\n\
