@@ -154,7 +154,10 @@ fn give_up(confine: &Confine) -> Result<(), String> {
         true => Purpose::Compile,
         false => Purpose::Answer,
     };
-    step("seccomp", syscalls::deny(purpose, confine.without_landlock))
+    step(
+        "seccomp",
+        syscalls::restrict(purpose, confine.without_landlock),
+    )
 }
 
 /// Adds the name of a step to its error.

@@ -200,7 +200,8 @@ const ALLOWED_OF_FCNTL: [u64; 6] = [
     libc::F_SETFL as u64,
 ];
 
-/// The only commands of `ioctl` that answers may use, and that the standard library uses. Others tell the machine's addresses, for example.
+/// The only commands of `ioctl` that answers may use, and that the standard library uses. Others tell
+/// the machine's addresses, for example.
 const ALLOWED_OF_IOCTL: [u64; 3] = [libc::FIOCLEX, libc::FIONCLEX, libc::FIONBIO];
 
 /// The only advice to `madvise` that answers may give, and that the C library gives. Other advice
@@ -228,18 +229,19 @@ const ALLOWED_OF_PRCTL: [u64; 3] = [
 
 /// Restricts this process and its children to these calls. `landlock_too` denies Landlock's own calls
 /// to the compiler.
-pub fn deny(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::error::Error>> {
+pub fn restrict(purpose: Purpose, landlock_too: bool) -> Result<(), Box<dyn std::error::Error>> {
     Ok(apply_filter(&program(purpose, landlock_too)?)?)
 }
 
 fn program(purpose: Purpose, landlock_too: bool) -> Result<BpfProgram, BackendError> {
-    let unheard_of = SeccompAction::Errno(libc::ENOSYS as u32);
-    let (rules, others, listed) = match purpose {
-        Purpose::Compile => (denied(landlock_too)?, SeccompAction::Allow, unheard_of),
-        Purpose::Answer => (allowed()?, unheard_of, SeccompAction::Allow),
+    let allow = SeccompAction::Allow;
+    let deny = SeccompAction::Errno(libc::ENOSYS as u32);
+    let (rules, if_listed, otherwise) = match purpose {
+        Purpose::Compile => (denied(landlock_too)?, deny, allow),
+        Purpose::Answer => (allowed()?, allow, deny),
     };
     let arch = std::env::consts::ARCH.try_into()?;
-    SeccompFilter::new(rules, others, listed, arch)?.try_into()
+    SeccompFilter::new(rules, otherwise, if_listed, arch)?.try_into()
 }
 
 type Rules = BTreeMap<i64, Vec<SeccompRule>>;
@@ -282,8 +284,11 @@ fn allowed() -> Result<Rules, BackendError> {
     rules.insert(libc::SYS_newfstatat, vec![with_flags(3, of_link, 0)?]);
     // Unmapped pages of a shared mapping no longer count as the process's own, but stay in memory
     // until the last page of the mapping is unmapped. Huge pages don't count at all.
-    let uncounted = libc::MAP_SHARED | libc::MAP_HUGETLB;
-    rules.insert(libc::SYS_mmap, vec![with_flags(3, uncounted, 0)?]);
+    let kinds = libc::MAP_TYPE | libc::MAP_HUGETLB;
+    rules.insert(
+        libc::SYS_mmap,
+        vec![with_flags(3, kinds, libc::MAP_PRIVATE)?],
+    );
     rules.insert(libc::SYS_madvise, one_of(2, &ALLOWED_OF_MADVISE)?);
     // Only the clocks with the numbers 0 to 7. Others are those of other processes.
     for call in [libc::SYS_clock_gettime, libc::SYS_clock_nanosleep] {

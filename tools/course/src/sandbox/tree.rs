@@ -114,9 +114,10 @@ fn processes_of(uid: u32, signal: Signal) -> Vec<Pid> {
     let entries = fs::read_dir("/proc").into_iter().flatten().flatten();
     let theirs = entries.filter(|entry| entry.metadata().is_ok_and(|about| about.uid() == uid));
     let ids = theirs.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
-    let reached = |pid: u32| match stat(&of_process(pid)) {
-        Some(fields) => done.contains(&fields[0].as_str()),
-        None => true,
+    // A process whose first thread has ended seems to be a zombie, even if others are alive.
+    let reached = |pid: u32| {
+        let mut states = threads(pid).filter_map(|thread| stat(&thread));
+        states.all(|fields| done.contains(&fields[0].as_str()))
     };
     ids.filter(|pid| !reached(*pid))
         .filter_map(|pid| Pid::from_raw(pid as i32))
@@ -170,10 +171,14 @@ fn of_process(pid: u32) -> PathBuf {
     format!("/proc/{pid}").into()
 }
 
+/// The memory of a process. All its threads share it, but those that have ended have none.
 fn memory_of(pid: u32) -> Option<u64> {
-    let text = fs::read_to_string(format!("/proc/{pid}/statm")).ok()?;
-    let pages: u64 = text.split_whitespace().nth(1)?.parse().ok()?;
-    Some(pages * rustix::param::page_size() as u64)
+    let pages = threads(pid).filter_map(|thread| {
+        let text = fs::read_to_string(thread.join("statm")).ok()?;
+        text.split_whitespace().nth(1)?.parse::<u64>().ok()
+    });
+    let mut pages = pages.filter(|pages| *pages > 0);
+    Some(pages.next()? * rustix::param::page_size() as u64)
 }
 
 #[cfg(test)]

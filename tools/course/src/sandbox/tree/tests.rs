@@ -1,7 +1,7 @@
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::{own_clock, used_by};
+use super::{end_all_of, is_used, own_clock, used_by};
 use crate::sandbox::watch::{ExceededLimit, Watch};
 use crate::sandbox::{Limits, finish};
 
@@ -33,6 +33,41 @@ fn memory_of_a_grandchild_counts() {
     let line = "sh -c '(head -c 60000000 /dev/zero; sleep 9) | tail >/dev/null; true'; true";
     let mut child = shell(line).spawn().expect("there is a shell");
     eventually(&mut child, |pid| used_by(pid).memory > 50_000_000);
+}
+
+#[test]
+fn a_process_whose_first_thread_has_ended_counts_and_is_ended() {
+    let uid = 54_321;
+    let lines = format!(
+        "import ctypes, threading, time
+memory = b'x' * 60_000_000
+threading.Thread(target=lambda: time.sleep(60)).start()
+ctypes.CDLL(None).syscall({}, 0)",
+        libc::SYS_exit
+    );
+    let mut python = Command::new("/usr/bin/python3");
+    python.args(["-c", &lines]).stdin(Stdio::null());
+    let is_root = rustix::process::geteuid().is_root();
+    if is_root {
+        std::os::unix::process::CommandExt::uid(&mut python, uid);
+    }
+    let mut child = python.spawn().expect("there is Python");
+    let seems_dead = |pid| {
+        let state = super::stat(&super::of_process(pid)).map(|fields| fields[0] == "Z");
+        state == Some(true) && used_by(pid).memory > 50_000_000
+    };
+    if is_root {
+        let start = Instant::now();
+        while !seems_dead(child.id()) && start.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let was_used = is_used(uid);
+        end_all_of(uid);
+        assert!(was_used && !is_used(uid));
+        child.wait().expect("it has been ended");
+    } else {
+        eventually(&mut child, seems_dead);
+    }
 }
 
 #[test]
