@@ -10,18 +10,31 @@ use crate::error::{Error, Result};
 /// # Errors
 /// If there is a link.
 pub fn refuse(path: &Path) -> Result<()> {
-    first(path).map_or(Ok(()), |link| Err(refusal(&link)))
+    match first(path) {
+        Some(link) => Err(refusal(&link)),
+        None if leads_elsewhere(path) == Some(true) => Err(refusal(path)),
+        None => Ok(()),
+    }
 }
 
-/// Refuses such a path of a submission, and also a path like `.` if it stands for a folder that was
-/// entered through a link, whose name would be taken for the student's.
+/// Refuses such a path of a submission, and also a path like `.` that stands for a folder which was
+/// entered through a link, because that folder's name would be taken for the student's.
 ///
 /// # Errors
-/// If there is a link.
+/// If there is a link, or if nobody knows by which name the current folder was entered, and the path
+/// depends on it.
 pub fn refuse_input(path: &Path) -> Result<()> {
-    match is_renamed(path) {
-        true => Err(refusal(path)),
-        false => refuse(path),
+    refuse(path)?;
+    match (is_renamed(path), leads_elsewhere(path)) {
+        (Some(true), _) => Err(refusal(path)),
+        (None, _) | (_, None) => Err(Error::input(
+            format!(
+                "nobody knows what {} means, because the variable PWD doesn't name the current folder",
+                path.display()
+            ),
+            "write the full path",
+        )),
+        _ => Ok(()),
     }
 }
 
@@ -35,54 +48,53 @@ fn refusal(link: &Path) -> Error {
     )
 }
 
-/// The first part of a path that is a link, or that leads through a link by `..`. Only the last
-/// part of an absolute path is looked at, because nobody types a full path by accident.
+/// The first part of a path that is a link. Only the last part of an absolute path is looked at,
+/// because nobody types a full path by accident.
 fn first(path: &Path) -> Option<PathBuf> {
     // With a slash at its end, the path would be that of what a link leads to.
     let plain: PathBuf = path.components().collect();
     if plain.is_absolute() {
         return Some(plain).filter(|it| it.is_symlink());
     }
-    let is_up = |part: &Component| *part == Component::ParentDir;
-    if cfg!(unix) && leads_elsewhere(plain.components().filter(is_up).count()) {
-        return Some(plain);
-    }
     let parts: Vec<&Path> = plain.ancestors().collect();
     let first = parts.into_iter().rev().find(|it| it.is_symlink());
     first.map(Path::to_owned)
 }
 
-/// Whether one of so many folders above the current one is another than the person thinks, because
-/// the current folder was entered through a link. Also true if nobody knows how it was entered.
-fn leads_elsewhere(ups: usize) -> bool {
+/// Whether the folders above the current one, to which a path leads by `..`, are others than the
+/// person thinks, because the current folder was entered through a link. `None` if nobody knows how it
+/// was entered.
+fn leads_elsewhere(path: &Path) -> Option<bool> {
+    let ups = path
+        .components()
+        .take_while(|it| *it == Component::ParentDir);
+    let ups = ups.count();
+    if !cfg!(unix) || ups == 0 {
+        return Some(false);
+    }
     let above = |folder: &Path, ups: usize| {
         let above = folder.ancestors().nth(ups).unwrap_or(Path::new("/"));
         above.canonicalize().ok()
     };
-    let here = std::env::current_dir().unwrap_or_default();
-    let differ = |typed: &Path| (1..=ups).any(|ups| above(typed, ups) != above(&here, ups));
-    ups > 0 && typed_folder().is_none_or(|typed| differ(&typed))
+    let (here, typed) = (std::env::current_dir().ok()?, typed_folder()?);
+    Some((1..=ups).any(|ups| above(&typed, ups) != above(&here, ups)))
 }
 
 /// The current folder, by the names through which the person came here. Only the shell knows them.
 fn typed_folder() -> Option<PathBuf> {
     let here = std::env::current_dir().ok()?;
     let typed = PathBuf::from(std::env::var_os("PWD")?);
-    typed
-        .canonicalize()
-        .is_ok_and(|it| it == here)
-        .then_some(typed)
+    let is_here = typed.canonicalize().is_ok_and(|it| it == here);
+    is_here.then_some(typed)
 }
 
-/// Whether a path without a name of its own, such as `.`, may stand for a folder that was entered
-/// through a link of another name.
-fn is_renamed(path: &Path) -> bool {
-    if path.file_name().is_some() {
-        return false;
+/// Whether a path without a name of its own, such as `.`, stands for a folder that was entered through
+/// a link of another name. `None` if nobody knows.
+fn is_renamed(path: &Path) -> Option<bool> {
+    if !cfg!(unix) || path.file_name().is_some() {
+        return Some(false);
     }
-    let Some(mut typed) = typed_folder() else {
-        return true;
-    };
+    let mut typed = typed_folder()?;
     for part in path.components() {
         match part {
             Component::ParentDir => drop(typed.pop()),
@@ -90,5 +102,5 @@ fn is_renamed(path: &Path) -> bool {
         }
     }
     let real = path.canonicalize().unwrap_or_default();
-    real.file_name() != typed.file_name()
+    Some(real.file_name() != typed.file_name())
 }

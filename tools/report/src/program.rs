@@ -62,7 +62,7 @@ fn refuse_files_as_options() -> Result<()> {
                 "{} is an option, but also a file in this folder",
                 name.display()
             ),
-            "if you wrote `*`, write `./*` instead",
+            "if you wrote `*`, write `./*` instead; otherwise, run the command in another folder",
         )),
     }
 }

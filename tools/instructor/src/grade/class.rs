@@ -64,7 +64,7 @@ impl Roll {
     }
 
     /// Whether another roll has the same submissions, roster and policy. They may have been read from
-    /// other paths, and their answers may have changed.
+    /// other paths.
     pub fn has_same_submissions(&self, other: &Roll) -> bool {
         let here = Roll {
             passed: other.passed.clone(),

@@ -1,7 +1,8 @@
 //! Finds answers that are the same except for comments, spaces, line breaks and names.
 //!
-//! All names but those of types count as equal, so that no renaming hides a copy. Then `b - a` is
-//! the same as `a - b`, so answers are the same only if they also get the same points.
+//! All names but those of types and variants count as equal, so that no renaming hides a copy. This
+//! also makes `b - a` equal to `a - b`. So two answers count as the same only if they get the same
+//! points, too.
 //!
 //! Short answers may coincide by chance, so rare matches count more. A match counts in bits: log₂
 //! of the number of right answers divided by the number of those that match. Six equal loops over
@@ -155,15 +156,16 @@ impl KnownAnswers {
         let mut same: BTreeMap<(&str, &str, u32, bool), Vec<String>> = BTreeMap::new();
         let mut right: BTreeMap<&str, usize> = BTreeMap::new();
         for record in records {
-            for task in &record.tasks {
-                let name = &*task.task.name;
+            for (name, hash) in &*record.tokens {
+                // An answer to an earlier assignment's task has no points.
+                let mut tasks = record.tasks.iter().filter(|it| *it.task.name == **name);
+                let groups = tasks.next().map_or(&[][..], |task| &task.groups);
                 // Examples belong to another file.
-                let groups = task.groups.iter().filter(|group| *group.name != *EXAMPLES);
+                let groups = groups.iter().filter(|group| *group.name != *EXAMPLES);
                 let is_right = groups.clone().all(|group| group.points == group.possible);
                 let points = groups.map(|group| group.points).sum();
                 *right.entry(name).or_default() += usize::from(is_right);
-                let mut own = record.tokens.iter().filter(|(task, _)| task == name);
-                if let Some((_, hash)) = own.find(|(_, hash)| !self.stubs.contains(hash)) {
+                if !self.stubs.contains(hash) {
                     let who = same.entry((name, hash, points, is_right)).or_default();
                     who.push(record.id.clone());
                 }

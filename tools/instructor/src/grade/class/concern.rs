@@ -59,7 +59,8 @@ impl Roll {
             ("not part of any submission", true, self.ignored.clone()),
             (
                 "new, or with other answers than before, but with the same table of times, which may \
-                 say when earlier answers were handed in: pass a newer table (`times` in policy.toml)",
+                 say when earlier answers were handed in: grade the whole class with a newer table (`times` \
+                 in policy.toml), or check that it is right",
                 true,
                 with_old_times.map(|it| self.called(&it.id)).collect(),
             ),

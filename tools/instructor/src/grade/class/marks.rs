@@ -184,7 +184,12 @@ impl Attempt {
             at,
             id: row.entry.id.clone(),
             lateness: policy.lateness(time, team),
-            is_late_by_name: matches!(by_name, Lateness::Late { .. } | Lateness::LateSometime),
+            is_late_by_name: match (by_name, time) {
+                (Lateness::Late { .. }, _) => true,
+                // The platform knows no extension and no grace period.
+                (Lateness::LateSometime, Some(HandInTime::At(time))) => policy.is_early(time),
+                _ => false,
+            },
             time,
             contested,
             judged: row

@@ -141,9 +141,10 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
     }
     // Only the name of a folder can prove whose it is.
     let is_archive = |new: &Entry| new.at_most < Proof::Id;
-    // The same command may be run again.
+    // The same command may be run again, for everybody also with other answers.
+    let is_whole = class.keys().is_subset(&here);
     let is_there = |new: &Entry| {
-        let is = |old: &&Entry| old.given == new.given && old.answers == new.answers;
+        let is = |old: &&Entry| old.given == new.given && (is_whole || old.answers == new.answers);
         old.iter().any(|old| old.key() == new.key() && is(old))
     };
     let mut new = new.into_iter();
@@ -156,8 +157,8 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
              can choose its name",
             new.name, new.id
         ),
-        "if it belongs to the same person, replace what this person handed in before by it, and grade \
-         the whole class again",
+        "if it belongs to the same person, put it in the place of this person's earlier submission, \
+         and pass all submissions of the class again",
     ))
 }
 
@@ -184,7 +185,13 @@ mod tests {
         let folder = named("ada", Proof::Id, "old");
         let [archive, hint] = [Proof::Name, Proof::Hint].map(|it| named("ada.zip", it, "old"));
         let [new, same] = ["new", "old"].map(|it| named("ada.zip", Proof::Name, it));
-        for old in [&folder, &archive, &hint] {
+        let beside_bob = |ada: &Roll| {
+            let mut class = ada.clone();
+            class.entries.push(entry("bob", "bob", "bob"));
+            class
+        };
+        for old in [&folder, &archive, &hint].map(beside_bob) {
+            let old = &old;
             let refused = refuse_chosen_names(&new, old).expect_err("eve may have named it");
             assert!(refused.problem.contains("would replace"), "{refused}");
             let new = named("ada", Proof::Id, "new");
@@ -192,7 +199,8 @@ mod tests {
         }
         // A name may say when it was handed in.
         refuse_chosen_names(&same, &folder).expect_err("its name is another");
-        refuse_chosen_names(&same, &archive).expect("nothing changes");
+        refuse_chosen_names(&same, &beside_bob(&archive)).expect("nothing changes");
+        refuse_chosen_names(&new, &archive).expect("the whole class is passed");
     }
 
     #[test]

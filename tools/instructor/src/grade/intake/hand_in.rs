@@ -108,15 +108,16 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
         all.entry(name).or_default().push((top, found));
     }
     let accounts: BTreeSet<String> = all.keys().cloned().collect();
-    let is_further = |hand_in: &HandIn| {
+    let may_be_later = |hand_in: &HandIn| {
         let name = &hand_in.name;
         let mut others = names::readings(name, platform).into_iter();
         others.any(|it| it.submission != *name && accounts.contains(&it.submission))
     };
     let all = all.into_iter().map(|(name, parts)| {
         let mut hand_in = of_one(name, platform, parts);
-        if is_further(&hand_in) {
-            let why = "it may be a further upload by somebody of whom only the newest counts";
+        if may_be_later(&hand_in) {
+            let why = "it may be a later upload by the same person as another submission; of a person's \
+                       uploads, only the newest is graded";
             hand_in.doubts.push(why.into());
         }
         hand_in

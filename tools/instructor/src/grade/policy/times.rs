@@ -256,6 +256,11 @@ impl Policy {
         })
     }
 
+    /// Whether a time is not after the deadline that people without an extension have.
+    pub fn is_early(&self, time: Timestamp) -> bool {
+        self.deadline.is_some_and(|due| time <= due)
+    }
+
     /// The deadline of these people: the latest that any of them has.
     fn due(&self, people: &[&Person]) -> Option<Zoned> {
         let own = people.iter().filter_map(|it| self.extensions.get(&it.id));

@@ -430,13 +430,17 @@ fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
 #[test]
 fn late_files_that_are_in_time_by_the_table_of_times_are_listed() {
     let canvas = "ada_LATE_1_2_a.zip";
-    for (name, time, is_listed) in [
-        (LATE, "11:00", true),
-        (canvas, "11:00", true),
-        (EARLY, "11:00", false),
-        (LATE, "13:00", false),
+    let extended = format!("{RULES}\n[extensions]\nada = '2026-11-25 12:00'\n");
+    for (name, time, rules, is_listed) in [
+        (LATE, "11:00", RULES, true),
+        (canvas, "11:00", RULES, true),
+        (EARLY, "11:00", RULES, false),
+        (LATE, "13:00", RULES, false),
+        // Canvas knows nothing of the extension.
+        (canvas, "13:00", &extended, false),
+        (canvas, "11:00", &extended, true),
     ] {
-        let mut roll = roll(vec![entry("one", "ada", name)], RULES, &[]);
+        let mut roll = roll(vec![entry("one", "ada", name)], rules, &[]);
         let policy = roll.policy.as_mut().expect("it has one");
         policy.times.push(TimeLine {
             keys: vec![(TimeKey::Id, "ada".into())],
