@@ -16,6 +16,7 @@ RING = np.array([(np.cos(a), np.sin(a)) for a in np.arange(8) * np.pi / 4])
 """The eight directions of displacement, unit vectors."""
 
 ID_SLACK = 0.25  # ids are whole numbers
+F32_STEP = 1.2e-7  # between float32 numbers just above 1
 F32_RELATIVE = 2e-6  # Mitsuba's float32: p99 of t is 7e-7, of a normal below that
 T_ABSOLUTE = 1e-6  # of t, for starts rounded near t = 0
 
@@ -69,7 +70,9 @@ def ray_tolerance(camera, origins, directions):
     Per component the sum of three terms: how far a displacement of 1e-3 px in
     any direction moves it (Mitsuba's sensor is within 2e-4 px of our builder);
     2e-6 of the largest component of that vector (its float32 rounding, which a
-    rotation spreads over all components); and 1e-6 of the image plane's larger
+    rotation spreads over all components), or more for slanted rays, because the
+    sensor's direction is a unit vector and is divided by its forward component,
+    whose float32 rounding is at most 1.2e-7; and 1e-6 of the image plane's larger
     side, so that a component that is 0 in exact arithmetic (an eye in the origin,
     an unrotated axis) may differ by the rounding of what cancelled. That last
     term is below 1e-3 px for every image narrower than 1000 pixels.
@@ -79,8 +82,11 @@ def ray_tolerance(camera, origins, directions):
     orthographic = camera.focal_length is None
     shifts = (moved, still) if orthographic else (still, moved)
     floor = 1e-6 * max(camera.width, camera.height)
+    lengths = np.linalg.norm(directions, axis=1, keepdims=True)
+    slanted = 0.0 if orthographic else F32_STEP * lengths / camera.focal_length
+    relatives = (F32_RELATIVE, np.maximum(F32_RELATIVE, slanted))
     columns = [
-        shift + F32_RELATIVE * np.abs(vectors).max(axis=1, keepdims=True) + floor
-        for shift, vectors in zip(shifts, (origins, directions))
+        shift + relative * np.abs(vectors).max(axis=1, keepdims=True) + floor
+        for shift, relative, vectors in zip(shifts, relatives, (origins, directions))
     ]
     return round_up(np.hstack(columns))

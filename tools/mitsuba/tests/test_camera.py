@@ -84,6 +84,20 @@ def test_the_sensors_rays_are_within_the_tolerance_of_ours(name):
     assert (difference < ray_tolerance(camera, *sensor) / 2).all()
 
 
+def test_a_ray_far_from_the_view_is_within_the_tolerance_of_ours():
+    # One of its components divided by the focal length is more than a hundred.
+    camera = Camera(
+        eye=np.array([4.63745641708374, 4.849339485168457, 3.705766201019287]),
+        view=np.array([-0.9642496109008789, -2.0941128730773926, -1.9218367338180542]),
+        up=np.array([-0.2206333726644516, -0.017001602798700333, -0.3598101735115051]),
+        width=7.484375, height=716.62890625, focal_length=2.5048398971557617,
+        resolution=(8, 766),
+    )
+    sensor, ours = sensor_rays(camera, [0], [765]), camera.rays([0], [765])
+    difference = np.abs(np.hstack(sensor) - np.hstack(ours))
+    assert (difference < ray_tolerance(camera, *sensor) / 2).all()
+
+
 def test_row_0_is_the_bottom_row():
     (_, _), (low, high) = UPRIGHT.rays([0, 0], [0, 89])
     assert low[1] < 0 < high[1]
