@@ -344,6 +344,20 @@ mod tests {
     }
 
     #[test]
+    fn answers_to_an_earlier_assignments_task_are_compared() {
+        use crate::grade::record::tests::graded;
+        let record = |id: &str| {
+            let mut record = graded(id, 1, 1);
+            record.tokens.insert("earlier".into(), "a".into());
+            RecordSummary::from(record)
+        };
+        let records = [record("ada"), record("bob")];
+        let known = KnownAnswers::default();
+        let alike = known.shared_answers(&records.iter().collect::<Vec<_>>());
+        assert_eq!(alike[0].who, ["ada", "bob"]);
+    }
+
+    #[test]
     fn rare_matches_count_more() {
         use crate::grade::record::tests::graded;
         let known = KnownAnswers {
