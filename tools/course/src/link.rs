@@ -65,10 +65,7 @@ fn first(path: &Path) -> Option<PathBuf> {
 /// person thinks, because the current folder was entered through a link. `None` if nobody knows how it
 /// was entered.
 fn leads_elsewhere(path: &Path) -> Option<bool> {
-    let ups = path
-        .components()
-        .take_while(|it| *it == Component::ParentDir);
-    let ups = ups.count();
+    let ups = ups(path);
     if !cfg!(unix) || ups == 0 {
         return Some(false);
     }
@@ -78,6 +75,20 @@ fn leads_elsewhere(path: &Path) -> Option<bool> {
     };
     let (here, typed) = (std::env::current_dir().ok()?, typed_folder()?);
     Some((1..=ups).any(|ups| above(&typed, ups) != above(&here, ups)))
+}
+
+/// How many folders above the current one a relative path goes.
+fn ups(path: &Path) -> usize {
+    let (mut ups, mut inside) = (0, 0);
+    for part in path.components() {
+        match part {
+            Component::ParentDir if inside == 0 => ups += 1,
+            Component::ParentDir => inside -= 1,
+            Component::Normal(_) => inside += 1,
+            _ => {}
+        }
+    }
+    ups
 }
 
 /// The current folder, by the names through which the person came here. Only the shell knows them.
@@ -103,4 +114,18 @@ fn is_renamed(path: &Path) -> Option<bool> {
     }
     let real = path.canonicalize().unwrap_or_default();
     Some(real.file_name() != typed.file_name())
+}
+
+#[cfg(test)]
+#[test]
+fn only_parts_that_leave_the_current_folder_lead_above_it() {
+    for (path, above) in [
+        ("..", 1),
+        ("../../a", 2),
+        ("a/..", 0),
+        ("a/../../b", 1),
+        ("./a", 0),
+    ] {
+        assert_eq!(ups(Path::new(path)), above, "{path}");
+    }
 }
