@@ -2,6 +2,7 @@
 
 mod hostile;
 mod hostile_files;
+mod platforms;
 
 use std::fs;
 

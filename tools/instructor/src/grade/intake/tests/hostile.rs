@@ -25,56 +25,6 @@ fn an_archive_with_other_peoples_names_is_one_submission() {
 }
 
 #[test]
-fn only_the_platform_of_the_export_gives_times_and_numbers() {
-    let export = Export::new();
-    for file in [
-        "class/Ada Lovelace_11_assignsubmission_file_hw.zip",
-        "class/Eve Mann_13_assignsubmission_file_x_attempt_2026-11-20-10-00-00.zip",
-        "folders/1001/hw.zip",
-        "folders/1002/hw.zip",
-        "folders/manneve_11_1_hw.zip",
-    ] {
-        export.put(file, &zip(&answers("", "somebody")));
-    }
-    let of_class = export.find("class").entries;
-    for entry in &of_class {
-        let number = entry.named_by(Platform::Moodle).next().map(|it| it.number);
-        let is_ada = number == Some("11");
-        assert_eq!(is_ada, entry.name.starts_with("Ada"), "{entry:?}");
-        assert_eq!(entry.platform, Some(Platform::Moodle), "{entry:?}");
-        let time = names::handed_in(&entry.given, Platform::Moodle);
-        assert_eq!(time, None, "{entry:?}");
-    }
-    for entry in export.find("folders").entries {
-        assert_eq!(entry.platform, None, "{entry:?}");
-        assert_eq!(entry.named_by(Platform::Canvas).next(), None, "{entry:?}");
-        let is_hers = entry.given[0].starts_with("manneve");
-        assert_eq!(entry.at_most == Proof::Name, is_hers, "{entry:?}");
-    }
-}
-
-#[test]
-fn an_upload_that_may_be_a_persons_second_is_listed() {
-    let export = Export::new();
-    for file in [
-        "moodle/Ada Lovelace_11_assignsubmission_file_hw.zip",
-        "moodle/Eve Mann_13_assignsubmission_file_hw.zip",
-        "moodle/Eve Mann_13_assignsubmission_file_Eve_13_1_b.zip",
-        "canvas/lovelaceada_11_501_hw.zip",
-        "canvas/manneve_13_502_hw.zip",
-        "canvas/manneve_13_503_manneve_13_1_b.zip",
-    ] {
-        export.put(file, &zip(&answers("", "somebody")));
-    }
-    export.is_of("moodle", &["Ada Lovelace_11", "Eve Mann_13"]);
-    let further = "canvas/manneve_13_503_manneve_13_1_b.zip";
-    for entry in export.find("canvas").entries {
-        let is_listed = entry.doubts.iter().any(|it| it.contains("a later upload"));
-        assert_eq!(is_listed, further.ends_with(&entry.name), "{entry:?}");
-    }
-}
-
-#[test]
 fn a_folder_with_names_of_others_beside_single_submissions_is_listed() {
     let export = Export::new();
     export.put_all("clones/hw1-mal/2001", answers("", "mallory"));
