@@ -16,12 +16,10 @@ use crate::error::{Error, Result, ResultExt};
 /// The length limit of a student's own archive.
 const MOST_ARCHIVE_BYTES: u64 = 16 << 20;
 
-/// An archive with more files is not a submission, and even reading their names would take long.
-const MOST_ENTRIES: usize = 50_000;
-
-/// The most bytes that are read of an archive to list its contents, and again to unpack a file.
-/// We limit what we read instead of trusting the lengths that the archive claims.
-const MOST_READ: u64 = 16 << 20;
+/// The most bytes that are read of an archive to list its contents, and again to unpack a file,
+/// unless it may contain more. We limit what we read instead of trusting the lengths that the
+/// archive claims.
+pub const MOST_READ: u64 = 16 << 20;
 
 /// The bits of a Unix mode that hold the file type.
 const FILE_TYPE: u32 = 0o170_000;
@@ -64,8 +62,8 @@ impl<R: Seek> Seek for LimitedReader<R> {
 /// Opens a student's own archive, named on the command line.
 ///
 /// # Errors
-/// As [`Archive::new`], or if it would put a file outside its own folder, if it is too long, or if
-/// the machine cannot read it.
+/// As [`Archive::new`], or if a file appears twice or would be put outside the archive's own folder,
+/// if it is too long, or if the machine cannot read it.
 pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     let refused = Error::input(
         format!("{} is refused", path.display()),
@@ -84,7 +82,7 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     if bytes.len() as u64 > MOST_ARCHIVE_BYTES {
         return Err(refused.because("it is larger than 16 MiB"));
     }
-    let archive = match Archive::new(Cursor::new(bytes)) {
+    let archive = match Archive::new(Cursor::new(bytes), MOST_READ) {
         Ok(archive) => archive,
         Err(why) => return Err(refused.because(why)),
     };
@@ -95,27 +93,24 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
 }
 
 impl<R: Read + Seek> Archive<R> {
-    /// Reads the list of contents.
+    /// Reads the list of contents, of which no more than this many bytes are read.
     ///
     /// Fails if the archive is not a ZIP file, or holds too much. The text says why.
-    pub fn new(mut inner: R) -> std::result::Result<Archive<R>, String> {
+    pub fn new(mut inner: R, most_read: u64) -> std::result::Result<Archive<R>, String> {
         if matches!(inner.seek(SeekFrom::End(0)), Ok(0)) {
             return Err("it is empty".into());
         }
-        let left = Rc::new(Cell::new(MOST_READ));
+        let left = Rc::new(Cell::new(most_read));
         let metered = LimitedReader {
             inner,
             left: left.clone(),
         };
         let mut zip = ZipArchive::new(metered)
             .map_err(|error| format!("it is damaged, or not a ZIP file ({error})"))?;
-        if zip.len() > MOST_ENTRIES {
-            return Err(format!("it holds more than {MOST_ENTRIES} files"));
-        }
         if zip.has_duplicate_names() {
             return Err("it holds two files with the same name".into());
         }
-        left.set(MOST_READ);
+        left.set(most_read);
         let (mut files, mut misplaced) = (BTreeMap::new(), Vec::new());
         for index in 0..zip.len() {
             let entry = zip
@@ -130,7 +125,7 @@ impl<R: Read + Seek> Archive<R> {
                 }
             };
             if !entry.is_dir() && files.insert(path, index).is_some() {
-                return Err(format!("{name:?} appears twice"));
+                misplaced.push((name, "appears twice"));
             }
         }
         Ok(Archive {
@@ -141,8 +136,8 @@ impl<R: Read + Seek> Archive<R> {
         })
     }
 
-    /// The names that are not accepted, because they would put a file outside the archive's own
-    /// folder, and what is wrong with each.
+    /// The names that are not accepted, because they appear twice or would put a file outside the
+    /// archive's own folder, and what is wrong with each.
     pub fn misplaced(&self) -> &[(String, &'static str)] {
         &self.misplaced
     }
@@ -186,16 +181,6 @@ impl<R: Read + Seek> Archive<R> {
         let mut bytes = Vec::new();
         self.unpack(path, MOST_BYTES + 1, &mut bytes)?;
         text::of_bytes(bytes)
-    }
-
-    /// How many bytes a file takes in the archive, as the archive claims; 0 if it isn't there.
-    pub fn packed_length(&mut self, path: &str) -> u64 {
-        let Some(index) = self.files.get(path) else {
-            return 0;
-        };
-        self.left.set(MOST_READ);
-        let raw = self.zip.by_index_raw(*index);
-        raw.map_or(0, |raw| raw.compressed_size())
     }
 
     /// Unpacks the first `most` bytes of a file, ignoring the length that the archive claims.

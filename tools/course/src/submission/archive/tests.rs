@@ -180,10 +180,6 @@ fn file_that_is_not_an_archive_is_refused_with_a_reason() {
             refusal(&path)
         );
     }
-    let names = (0..50_001).map(|k: u32| k.to_string().into_bytes());
-    fs::write(&path, listing(names)).expect("it can be written");
-    let refusal = refusal(&path);
-    assert!(refusal.contains("more than 50000"), "{refusal}");
 }
 
 /// An archive with nothing but a list of contents: one local entry, and an entry for each of
@@ -231,7 +227,7 @@ fn names_of_thousands_of_folders_do_not_fill_the_memory() {
     let names = (0..4990).map(|k| [b"a/".repeat(1640), k.to_string().into_bytes()].concat());
     let bytes = listing(names);
     let before = peak_memory();
-    let archive = Archive::new(Cursor::new(bytes)).map_err(drop);
+    let archive = Archive::new(Cursor::new(bytes), MOST_READ).map_err(drop);
     assert_eq!(archive.map(|archive| archive.files().count()), Ok(4990));
     let grown = (peak_memory() - before) / 1024;
     assert!(grown < 250, "{grown} MiB more");
@@ -240,7 +236,7 @@ fn names_of_thousands_of_folders_do_not_fill_the_memory() {
 #[test]
 fn damaged_archives_do_not_harm_the_reader() {
     bolero::check!().for_each(|bytes| {
-        let Ok(mut archive) = Archive::new(Cursor::new(bytes)) else {
+        let Ok(mut archive) = Archive::new(Cursor::new(bytes), MOST_READ) else {
             return;
         };
         for place in archive.places() {

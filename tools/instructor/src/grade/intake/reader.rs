@@ -11,13 +11,14 @@ mod tarball;
 mod unpack;
 mod zip_file;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::rc::Rc;
 
 use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
 pub use self::unpack::utf_16;
+use super::names::{self, Platform};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};
@@ -61,7 +62,8 @@ const MOST_PARTS: usize = 100;
 /// recognises the names of answer files. Neither follows a link nor waits for another process.
 ///
 /// # Errors
-/// If it can't be read, or is neither a folder nor a regular file.
+/// If it can't be read, or is neither a folder nor a regular file, or if it is an archive that
+/// contains too much.
 pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundFile>, bool)> {
     let unreadable = text::unreadable(path);
     if path.symlink_metadata().or_fail(&unreadable)?.is_dir() {
@@ -78,9 +80,26 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundF
         ));
     }
     let whole = Rc::new(Limits::of_archive(metadata.len()));
-    let mut reader = Reader::new(is_answer, Some(whole));
+    let mut reader = Reader::new(is_answer, Some(whole.clone()));
     reader.archive(file, &[], 0);
-    Ok((reader.found, true))
+    match whole.exceeded() {
+        None => Ok((reader.found, true)),
+        // What comes later in the archive must not be taken for all that its author handed in.
+        Some(why) => {
+            let over = reader.of_each.into_iter().filter(|(_, it)| it.is_over);
+            let over: Vec<String> = over.map(|(path, _)| path.join("/")).collect();
+            let problem = format!("{} cannot be read as a whole: {why}", path.display());
+            let remedy = "if it is a class, unpack it and pass the folder; submissions that contain \
+                          too much are then refused one by one";
+            Err(match &over[..] {
+                [] => Error::input(problem, remedy),
+                over => Error::input(problem, remedy).because(format!(
+                    "too much is in {}",
+                    file_names::quoted(over).join(", ")
+                )),
+            })
+        }
+    }
 }
 
 struct Reader<'a> {
@@ -90,6 +109,10 @@ struct Reader<'a> {
     of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
     /// What may still be read of the whole archive, if an archive is read.
     whole: Option<Rc<Limits>>,
+    /// Whether there is a single folder around everything.
+    is_wrapped: bool,
+    /// The platform that has exported everything, if one did.
+    platform: Option<Platform>,
 }
 
 /// How much was read of one submission.
@@ -107,21 +130,43 @@ impl<'a> Reader<'a> {
             found: Vec::new(),
             of_each: BTreeMap::new(),
             whole,
+            is_wrapped: false,
+            platform: None,
         }
     }
 
-    /// How many parts of a path distinguish submissions. In an archive, there may be a folder
-    /// around everything. But everything in an archive inside the archive belongs to one
-    /// submission.
-    fn length_of_own(&self, path: &[String]) -> usize {
-        match path {
-            [first, _, ..] if self.whole.is_some() && !is_archive(first) => 2,
-            _ => path.len().min(1),
+    /// Finds out how submissions are named, by the paths of all files, or by what is at the top.
+    /// Otherwise, somebody who hands in many archives could have each of them read as far as a
+    /// whole submission.
+    fn look_at_names<'n>(&mut self, paths: impl Iterator<Item = &'n str>) {
+        let (mut tops, mut inside) = (BTreeSet::new(), BTreeSet::new());
+        for path in paths {
+            let mut parts = path.splitn(3, '/').map(str::to_owned);
+            let top = parts.next().unwrap_or_default();
+            if !is_skipped(std::slice::from_ref(&top), 0) {
+                tops.insert(top);
+                inside.insert(parts.next());
+            }
         }
+        self.is_wrapped = tops.len() == 1 && !inside.contains(&None);
+        self.platform = match self.is_wrapped {
+            true => names::exported_by(inside.iter().flatten()),
+            false => names::exported_by(tops.iter()),
+        };
+    }
+
+    /// How many parts of a path distinguish submissions.
+    fn length_of_own(&self, path: &[String]) -> usize {
+        path.len().min(1 + usize::from(self.is_wrapped))
     }
 
     fn of_one(&mut self, path: &[String]) -> &mut SubmissionReadBudget {
-        let own = path[..self.length_of_own(path)].to_vec();
+        let mut own = path[..self.length_of_own(path)].to_vec();
+        if let Some(name) = own.last_mut()
+            && let Some(given) = names::reading(name, self.platform)
+        {
+            *name = given.submission;
+        }
         let whole = self.whole.clone();
         self.of_each
             .entry(own)

@@ -5,6 +5,8 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 
+use pinhole_course::submission::text;
+
 use super::file_names::is_skipped;
 use super::unpack::UnreadFile;
 use super::{Content, MOST_FOLDERS, Reader};
@@ -12,14 +14,17 @@ use super::{Content, MOST_FOLDERS, Reader};
 /// Reads the folder at a path, which is not followed if it has become a link.
 pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {
     let folder = held::Folder::open(path)?;
+    let tops = folder.entries()?.into_iter();
+    let tops: Vec<String> = tops
+        .map(|(name, _)| text::name(name.as_encoded_bytes()))
+        .collect();
+    reader.look_at_names(tops.iter().map(String::as_str));
     walk(reader, &folder, &mut Vec::new())
 }
 
 fn walk(reader: &mut Reader, folder: &held::Folder, path: &mut Vec<String>) -> io::Result<()> {
     for (name, kind) in folder.entries()? {
-        path.push(pinhole_course::submission::text::name(
-            name.as_encoded_bytes(),
-        ));
+        path.push(text::name(name.as_encoded_bytes()));
         if !is_skipped(path, 0) && reader.may_go_on(path) {
             let visited = visit(reader, folder, &name, kind, path);
             if let Err(error) = visited {

@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 use super::FoundFile;
 
 /// How much of one submission is read, or of a whole archive. Everything that is read counts
-/// for its submission and for the archive that contains it.
+/// for its submission and for the archive that contains it. A whole archive may contain so much more
+/// than a submission that a few people can't exceed its limits.
 pub struct Limits {
     /// Bytes of what is kept: answers, and the paths of all that is listed.
     pub kept: Limit,
@@ -19,39 +20,34 @@ pub struct Limits {
     pub passed: Limit,
     /// How many files are looked at.
     pub files: Limit,
-    /// What an archive's submissions may take without counting for the archive, in all.
-    reserved: Limit,
-    pub until: Option<Instant>,
+    /// For how long it may still be read, and until when while it is read.
+    time: Cell<Duration>,
+    until: Cell<Option<Instant>>,
     whole: Option<Rc<Limits>>,
+    /// Which limit is exceeded.
+    exceeded: Cell<Option<&'static str>>,
 }
 
-/// What is left of an amount, and the amount in words.
-pub struct Limit {
-    left: Cell<u64>,
-    /// How much of it does not count for the archive around the submission.
-    own: Cell<u64>,
-    said: &'static str,
-}
+/// What is left of an amount, and what to say when it is exceeded.
+pub struct Limit(Cell<u64>, &'static str);
 
 impl Limit {
-    fn new(most: u64, said: &'static str) -> Limit {
-        Limit {
-            left: Cell::new(most),
-            own: Cell::new(0),
-            said,
-        }
+    fn new(most: u64, exceeded: &'static str) -> Limit {
+        Limit(Cell::new(most), exceeded)
     }
 
-    /// Spends some of it, if that much is left; otherwise, all of it. Returns how much counts for
-    /// the archive around the submission.
-    fn spend(&self, amount: u64) -> Result<u64, &'static str> {
-        let left = self.left.get().checked_sub(amount);
-        self.left.set(left.unwrap_or(0));
-        let own = self.own.get();
-        self.own.set(own.saturating_sub(amount));
-        left.map(|_| amount.saturating_sub(own)).ok_or(self.said)
+    /// Spends some of it, if that much is left; otherwise, all of it.
+    fn spend(&self, amount: u64) -> Result<(), &'static str> {
+        let left = self.0.get().checked_sub(amount);
+        self.0.set(left.unwrap_or(0));
+        left.map(drop).ok_or(self.1)
     }
 }
+
+/// How many bytes are kept, unpacked and passed of one submission.
+const MOST_KEPT: u64 = 16 << 20;
+const MOST_UNPACKED: u64 = 1 << 30;
+const MOST_PASSED: u64 = 4 << 30;
 
 /// Even on a slow disk, no student's ordinary archive takes longer.
 const MOST_TIME: Duration = Duration::from_secs(60);
@@ -60,24 +56,22 @@ pub const TOO_SLOW: &str = "reading it takes longer than a minute";
 impl Limits {
     /// The limits of an archive of this length that may contain a whole class.
     pub fn of_archive(length: u64) -> Limits {
-        let more = length.saturating_mul(20);
+        let limit = |of_one: u64, exceeded| {
+            let most = length.saturating_mul(20).saturating_add(16 * of_one);
+            Limit::new(most, exceeded)
+        };
         Limits {
-            kept: Limit::new(
-                (64 << 20) + more,
+            kept: limit(
+                MOST_KEPT,
                 "it contains more answer files than a whole class needs",
             ),
-            unpacked: Limit::new(
-                (1 << 30) + more,
-                "it unpacks to more than 20 times its size",
-            ),
-            passed: Limit::new(
-                (4 << 30) + more,
-                "it unpacks to more than 20 times its size",
-            ),
+            unpacked: limit(MOST_UNPACKED, "it unpacks to more than a whole class needs"),
+            passed: limit(MOST_PASSED, "it unpacks to more than a whole class needs"),
             files: Limit::new(u64::MAX, ""),
-            reserved: Limit::new(more, ""),
-            until: None,
+            time: Cell::new(Duration::MAX),
+            until: Cell::new(None),
             whole: None,
+            exceeded: Cell::new(None),
         }
     }
 
@@ -85,44 +79,57 @@ impl Limits {
     pub fn of_one(whole: Option<Rc<Limits>>) -> Limits {
         let answers = "it contains more answer files than anybody needs";
         Limits {
-            kept: Limit::new(16 << 20, answers),
-            unpacked: Limit::new(1 << 30, "it unpacks to more than 1 GiB"),
-            passed: Limit::new(4 << 30, "more than 4 GiB of it would have to be read"),
+            kept: Limit::new(MOST_KEPT, answers),
+            unpacked: Limit::new(MOST_UNPACKED, "it unpacks to more than 1 GiB"),
+            passed: Limit::new(MOST_PASSED, "more than 4 GiB of it would have to be read"),
             files: Limit::new(100_000, "it contains more than 100000 files"),
-            reserved: Limit::new(0, ""),
-            until: Some(Instant::now() + MOST_TIME),
+            time: Cell::new(MOST_TIME),
+            until: Cell::new(None),
             whole,
+            exceeded: Cell::new(None),
         }
     }
 
-    /// Reserves 20 times the length of a submission's file in an archive for this submission, so
-    /// that others, however much they unpack to, leave enough for it. Files that share their bytes
-    /// get no more than 20 times the length of the whole archive.
-    pub fn reserve(&self, length: u64) {
-        let Some(whole) = &self.whole else { return };
-        let own = length.saturating_mul(20);
-        if whole.reserved.spend(own).is_ok() {
-            for limit in [&self.kept, &self.unpacked, &self.passed] {
-                limit.own.set(limit.own.get() + own);
-            }
-        }
+    #[cfg(test)]
+    pub fn with_time(self, time: Duration) -> Limits {
+        self.time.set(time);
+        self
     }
 
     /// Spends a part of a limit, and of the same limit of the archive around it. An error says
     /// which limit is exceeded.
     pub fn spend(&self, of: fn(&Limits) -> &Limit, amount: u64) -> Result<(), &'static str> {
-        if self.is_late() {
-            return Err(TOO_SLOW);
-        }
-        let counts = of(self).spend(amount)?;
-        match &self.whole {
-            Some(whole) => whole.spend(of, counts),
+        let spent = match self.is_late() {
+            true => Err(TOO_SLOW),
+            false => of(self).spend(amount),
+        };
+        let spent = spent.and_then(|()| match &self.whole {
+            Some(whole) => whole.spend(of, amount),
             None => Ok(()),
+        });
+        self.exceeded.set(spent.err().or(self.exceeded.get()));
+        spent
+    }
+
+    /// Which limit is exceeded, if one is.
+    pub fn exceeded(&self) -> Option<&'static str> {
+        self.exceeded.get()
+    }
+
+    /// Starts the clock. Until it stops, everything that is read is this submission's.
+    pub fn start_clock(&self) {
+        self.until.set(Instant::now().checked_add(self.time.get()));
+    }
+
+    pub fn stop_clock(&self) {
+        if let Some(until) = self.until.take() {
+            self.time
+                .set(until.saturating_duration_since(Instant::now()));
         }
     }
 
     pub fn is_late(&self) -> bool {
-        self.until.is_some_and(|until| Instant::now() > until)
+        self.until.get().is_some_and(|until| Instant::now() > until)
     }
 }
 

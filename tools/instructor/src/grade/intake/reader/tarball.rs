@@ -1,14 +1,16 @@
 //! A `tar` archive, compressed by `gzip` or not, read from front to back.
 
+use std::collections::BTreeSet;
 use std::fs::File;
-use std::io::{self, BufReader, Read, Write};
+use std::io::{self, BufReader, Read, Seek, Write};
+use std::rc::Rc;
 
 use flate2::read::MultiGzDecoder;
 use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
-use tar::{Archive, EntryType, PaxExtensions};
+use tar::{Archive, Entry, EntryType, PaxExtensions};
 
-use super::limits::{LimitedStream, TOO_SLOW};
+use super::limits::{LimitedStream, Limits, TOO_SLOW};
 use super::unpack::{ReadFailure, UnreadFile};
 use super::{MOST_NAME, Reader};
 
@@ -31,8 +33,60 @@ pub fn read(
     })
 }
 
-fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Result<(), String> {
+fn walk(reader: &mut Reader, mut file: File, path: &[String], depth: usize) -> Result<(), String> {
     let limits = reader.limits(path);
+    if depth == 0 {
+        let mut paths = BTreeSet::new();
+        let same = file.try_clone().map_err(spoilt)?;
+        each(same, limits.clone(), |name, entry| {
+            let path = plain_path(name).ok().filter(|_| is_file(entry));
+            // Only the first parts matter.
+            paths
+                .extend(path.map(|path| path.splitn(3, '/').take(2).collect::<Vec<_>>().join("/")));
+            Ok(())
+        })?;
+        reader.look_at_names(paths.iter().map(String::as_str));
+        file.rewind().map_err(spoilt)?;
+    }
+    each(file, limits, |name, entry| {
+        let inside = match plain_path(name) {
+            Ok(inside) => inside,
+            Err(why) => return reader.refuse(path, depth, name, why),
+        };
+        let Some(inside) = reader.enter(path, &inside) else {
+            return Ok(());
+        };
+        if !is_file(entry) || !reader.wants(&inside) {
+            reader.pass(&inside, is_file(entry));
+            return Ok(());
+        }
+        let mut copy = |most: u64, to: &mut dyn Write| {
+            let copied = io::copy(&mut entry.take(most), to);
+            copied
+                .map(drop)
+                .map_err(|error| ReadFailure::Refused(spoilt(error)))
+        };
+        reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
+        Ok(())
+    })
+}
+
+fn spoilt(error: io::Error) -> String {
+    format!("its contents make no sense ({error})")
+}
+
+type TarEntry<'a> = Entry<'a, Box<dyn Read>>;
+
+fn is_file(entry: &TarEntry) -> bool {
+    entry.header().entry_type().is_file()
+}
+
+/// Calls a function with the name and the content of everything in the archive but folders.
+fn each(
+    file: File,
+    limits: Rc<Limits>,
+    mut visit: impl FnMut(&str, &mut TarEntry) -> Result<(), String>,
+) -> Result<(), String> {
     let limited = |inner: Box<dyn Read>| LimitedStream {
         inner,
         limits: limits.clone(),
@@ -45,7 +99,6 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
         true => Box::new(limited(Box::new(MultiGzDecoder::new(file)))),
         false => Box::new(file),
     };
-    let spoilt = |error: io::Error| format!("its contents make no sense ({error})");
     let mut archive = Archive::new(unpacked);
     let entries = archive.entries().map_err(spoilt)?;
     let mut long_name: Option<Vec<u8>> = None;
@@ -70,34 +123,9 @@ fn walk(reader: &mut Reader, file: File, path: &[String], depth: usize) -> Resul
         }
         let name = long_name.take();
         let name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
-        let name = text::name(&name);
-        if kind.is_dir() || kind == EntryType::XGlobalHeader {
-            continue;
+        if !kind.is_dir() && kind != EntryType::XGlobalHeader {
+            visit(&text::name(&name), &mut entry)?;
         }
-        let inside = match plain_path(&name) {
-            Ok(inside) => inside,
-            Err(why) => {
-                reader.refuse(path, depth, &name, why)?;
-                continue;
-            }
-        };
-        let Some(inside) = reader.enter(path, &inside) else {
-            continue;
-        };
-        if !kind.is_file() || !reader.wants(&inside) {
-            reader.pass(&inside, kind.is_file());
-            continue;
-        }
-        if depth == 0 {
-            reader.limits(&inside).reserve(entry.size());
-        }
-        let mut copy = |most: u64, to: &mut dyn Write| {
-            let copied = io::copy(&mut (&mut entry).take(most), to);
-            copied
-                .map(drop)
-                .map_err(|error| ReadFailure::Refused(spoilt(error)))
-        };
-        reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
     }
     Ok(())
 }
@@ -111,11 +139,8 @@ fn name_in(bytes: &[u8]) -> Option<Vec<u8>> {
 
 #[cfg(test)]
 mod tests {
-    use std::io::Seek;
-    use std::rc::Rc;
-    use std::time::{Duration, Instant};
+    use std::time::Duration;
 
-    use super::super::limits::Limits;
     use super::*;
 
     #[test]
@@ -123,21 +148,21 @@ mod tests {
         let empty = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         let empty = empty.finish().expect("memory can be written");
         let length = 1000 * empty.len() as u64;
-        let read_until = |until| {
+        let read = |time| {
             let mut file = tempfile::tempfile().expect("there is room");
             let written = file.write_all(&empty.repeat(1000));
             written.and_then(|()| file.rewind()).expect("there is room");
             // Both share a position.
             let mut same = file.try_clone().expect("it is open");
-            let mut limits = Limits::of_one(None);
-            limits.until = Some(until);
+            let limits = Limits::of_one(None).with_time(time);
+            limits.start_clock();
             let mut reader = Reader::new(&|_| true, Some(Rc::new(limits)));
             let result = super::read(&mut reader, file, &[], 0);
             (result, same.stream_position().expect("it is open"))
         };
-        let (result, position) = read_until(Instant::now() + Duration::from_secs(60));
+        let (result, position) = read(Duration::from_secs(60));
         assert!(result.is_ok() && position == length, "{position}");
-        let (result, position) = read_until(Instant::now());
+        let (result, position) = read(Duration::ZERO);
         assert!(matches!(result, Err(ReadFailure::Unreadable(why)) if why == TOO_SLOW));
         assert!(position < length, "{position}");
     }

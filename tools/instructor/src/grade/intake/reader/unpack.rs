@@ -34,14 +34,20 @@ pub enum UnreadFile<'a> {
 impl Reader<'_> {
     /// Reads a file whose content matters, `depth` archives deep.
     pub fn file(&mut self, path: &[String], depth: usize, unread: UnreadFile) {
+        let limits = self.limits(path);
+        if depth == 0 {
+            limits.start_clock();
+        }
         let content = match self.names_answer(path) {
-            true => self.answer(path, unread),
-            false => match self.packed(path, depth, unread) {
-                Ok(()) => return,
-                Err(trouble) => trouble.into(),
-            },
+            true => Some(self.answer(path, unread)),
+            false => self.packed(path, depth, unread).err().map(Content::from),
         };
-        self.keep(path, content);
+        if let Some(content) = content {
+            self.keep(path, content);
+        }
+        if depth == 0 {
+            limits.stop_clock();
+        }
     }
 
     fn answer(&mut self, path: &[String], unread: UnreadFile) -> Content {

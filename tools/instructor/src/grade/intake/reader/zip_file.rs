@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Write;
 
 use pinhole_course::submission::AnswerFileProblem;
-use pinhole_course::submission::archive::Archive;
+use pinhole_course::submission::archive::{Archive, MOST_READ};
 
 use super::Reader;
 use super::limits::LimitedStream;
@@ -17,12 +17,21 @@ pub fn read(
     path: &[String],
     depth: usize,
 ) -> Result<(), ReadFailure> {
+    let length = file.metadata().map_or(0, |it| it.len());
     let file = LimitedStream {
         inner: file,
         limits: reader.limits(path),
         of: |it| &it.passed,
     };
-    let mut archive = Archive::new(file).map_err(ReadFailure::Refused)?;
+    // The list of a whole class may be long.
+    let most = match depth {
+        0 => MOST_READ.max(length),
+        _ => MOST_READ,
+    };
+    let mut archive = Archive::new(file, most).map_err(ReadFailure::Refused)?;
+    if depth == 0 {
+        reader.look_at_names(archive.files());
+    }
     for (name, why) in archive.misplaced() {
         let refused = reader.refuse(path, depth, name, why);
         refused.map_err(ReadFailure::Refused)?;
@@ -35,10 +44,6 @@ pub fn read(
         if !reader.wants(&inside) {
             reader.pass(&inside, true);
             continue;
-        }
-        if depth == 0 {
-            let length = archive.packed_length(&name);
-            reader.limits(&inside).reserve(length);
         }
         let mut copy = |most: u64, to: &mut dyn Write| {
             archive.unpack(&name, most, to).map_err(|why| match why {

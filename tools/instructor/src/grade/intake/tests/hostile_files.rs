@@ -265,6 +265,109 @@ fn nobody_leaves_too_little_to_unpack_for_the_rest_of_a_class() {
     assert!(zoe.submission.is_ok(), "{zoe:?}");
 }
 
+/// Many large answers: a quarter of what is kept of one submission.
+fn many_answers(folder: &str) -> Files {
+    let spaces = vec![b' '; 256 << 10];
+    let copy = |k: usize| (format!("{folder}{k}/plane.rs"), spaces.clone());
+    (0..16).map(copy).collect()
+}
+
+#[test]
+fn many_archives_of_one_person_are_limited_together() {
+    let export = Export::new();
+    for k in 0..9 {
+        let name = format!("class/malleteve_13_60{k}_hw.zip");
+        export.put(&name, &zip(&many_answers("")));
+    }
+    // Its name can also be read as one of Blackboard's.
+    let other = "class/malleteve_13_609_x_attempt_2026-11-20-10-00-00.zip";
+    export.put(other, &zip(&many_answers("")));
+    export.put("class/noycebob_12_501_hw.zip", &zip(&answers("", "bob")));
+    export.put("class/zornzed_14_502_hw.zip", &zip(&answers("", "zed")));
+    let path = export.path("class");
+    let (found, _) = reader::read(&path, &|name| name == "plane.rs").expect("it is there");
+    let texts = found.iter().filter_map(|it| match &it.content {
+        reader::Content::Answer { text: Ok(text), .. } => Some(text.len()),
+        _ => None,
+    });
+    let kept: usize = texts.sum();
+    assert!(kept < 17 << 20, "{kept}");
+    for entry in &export.find("class").entries[1..] {
+        assert_eq!(entry.unusable, Vec::<String>::new(), "{entry:?}");
+    }
+}
+
+#[test]
+fn nobody_exceeds_the_limits_of_a_whole_class_alone() {
+    // The folder around everything is the instructor's, or nobody's.
+    for around in ["", "hw1/"] {
+        let export = Export::new();
+        let own = |name: &str| format!("{around}{name}_1_assignsubmission_file/");
+        let mut class = answers(&own("Ada"), "ada");
+        for k in 0..20 {
+            class.extend(many_answers(&format!("{}{k}/", own("Mallory"))));
+        }
+        class.extend(answers(&own("Zoe"), "zoe"));
+        for (name, bytes) in [("a.zip", zip(&class)), ("b.tar.gz", tar_gz(&class))] {
+            export.put(name, &bytes);
+            let intake = export.find(name);
+            let [ada, mallory, zoe] = &intake.entries[..] else {
+                panic!("{:?}", intake.entries)
+            };
+            assert!(!mallory.unusable.is_empty(), "{name}");
+            for honest in [ada, zoe] {
+                assert_eq!(honest.unusable, Vec::<String>::new(), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_comes_after_too_much_in_an_archive_is_not_taken_for_all_there_is() {
+    let export = Export::new();
+    let mut all: Files = (0..90)
+        .flat_map(|k| many_answers(&format!("mallory{k:02}/")))
+        .collect();
+    all.extend(answers("zoe/", "zoe"));
+    export.put("a.tar.gz", &tar_gz(&all));
+    export.put("ada.zip", &zip(&answers("", "ada")));
+    let read = |names: &[&str]| {
+        let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
+        find(&paths, &assignment(), None)
+    };
+    let error = read(&["a.tar.gz"]).expect_err("it contains too much");
+    assert!(error.remedy.contains("unpack it"), "{error:?}");
+    // Others are graded.
+    let intake = read(&["a.tar.gz", "ada.zip"]).expect("one can be read");
+    assert_eq!(intake.entries.len(), 1);
+    let why = "a.tar.gz cannot be read as a whole";
+    assert!(
+        intake.ignored.iter().any(|it| it.contains(why)),
+        "{:?}",
+        intake.ignored
+    );
+}
+
+#[test]
+fn two_files_with_one_path_in_an_archive_of_a_class_are_refused_alone() {
+    let export = Export::new();
+    let mut class = answers("hw1/Ada_1_assignsubmission_file/", "ada");
+    for name in ["a/plane.rs", "a\\plane.rs"] {
+        let name = format!("hw1/Mallory_2_assignsubmission_file/{name}");
+        class.push((name, b"mine".to_vec()));
+    }
+    export.put("class.zip", &zip(&class));
+    let intake = export.find("class.zip");
+    let [ada, mallory] = &intake.entries[..] else {
+        panic!("{:?}", intake.entries)
+    };
+    assert_eq!(ada.unusable, Vec::<String>::new());
+    assert!(
+        mallory.unusable.join("; ").contains("appears twice"),
+        "{mallory:?}"
+    );
+}
+
 #[test]
 fn no_name_harms_its_readers() {
     let words = [
