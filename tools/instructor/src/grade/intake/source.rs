@@ -197,7 +197,7 @@ impl Source<'_> {
             at_most,
             doubts,
             name: account(&self.name),
-            platform: names::reading(&self.name, None).map(|it| it.platform),
+            platform: None,
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),
             superseded: Vec::new(),

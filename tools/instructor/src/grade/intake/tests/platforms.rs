@@ -32,6 +32,28 @@ fn only_the_platform_of_the_export_gives_times_and_numbers() {
 }
 
 #[test]
+fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
+    let export = Export::new();
+    let names = [
+        "1001.zip",
+        "manneve_11_1_hw.zip",
+        "1-2 - Eve Mann - Nov 1, 2020 1159 PM - hw.zip",
+    ];
+    for name in names {
+        export.put(name, &zip(&answers("", "somebody")));
+    }
+    let paths = names.map(|name| export.path(name));
+    for paths in [&paths[..], &paths[1..2], &paths[2..]] {
+        let intake = find(paths, &assignment(), None).expect("they can be read");
+        assert_eq!(intake.entries.len(), paths.len());
+        for entry in intake.entries {
+            assert_eq!(entry.platform, None, "{entry:?}");
+            assert!(entry.at_most <= Proof::Name, "{entry:?}");
+        }
+    }
+}
+
+#[test]
 fn an_upload_that_may_be_a_persons_second_is_listed() {
     let export = Export::new();
     for file in [
