@@ -13,8 +13,8 @@ def around(rng, centres, size):
 
 
 def few(rng):
-    """One triangle, or up to four."""
-    return ask(around(rng, rng.uniform(-3, 3, (rng.integers(1, 5), 3)), 1))
+    """One triangle, or up to twelve."""
+    return ask(around(rng, rng.uniform(-3, 3, (rng.integers(1, 13), 3)), 1))
 
 
 def spread(rng):

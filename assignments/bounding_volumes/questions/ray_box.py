@@ -80,8 +80,10 @@ def outside(rng):
 
 
 def inside(rng):
-    """From inside, or with min_t inside."""
+    """From inside, or with min_t inside; one ray in three begins outside."""
     shape = box(rng)
+    if rng.uniform() < 0.33:
+        return aim(rng, shape, target(rng, shape))
     point = within(rng, shape)
     if rng.uniform() < 0.5:
         return aim(rng, shape, point, away=0, min_t=0)

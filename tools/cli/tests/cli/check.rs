@@ -373,6 +373,44 @@ fn exiting_early_or_printing_points_earns_nothing_and_harms_no_other_task() {
 }
 
 #[test]
+fn answers_that_compute_nothing_earn_nothing() {
+    let at_once = "Some(pinhole::Intersection { t: min_t, normal: glam::DVec3::Z })";
+    let all_in_one = "Tree::Leaf((0..boxes.len()).collect())";
+    let none = ["sphere", "plane", "triangle", "triangle_soup", "first_hit"].map(|it| (it, "None"));
+    let hit = ["sphere", "plane", "triangle", "triangle_soup"].map(|it| (it, at_once));
+    let none_of_boxes = [
+        ("ray_box", "None"),
+        ("build_tree", all_in_one),
+        ("nearest_hit", "None"),
+    ];
+    for (assignment, answers) in [
+        ("ray_casting", &none[..]),
+        ("ray_casting", &hit),
+        ("bounding_volumes", &none_of_boxes),
+        ("bounding_volumes", &[("ray_box", "Some(min_t)")]),
+    ] {
+        let folder = fresh(&trusted(), "constant");
+        for (task, answer) in answers {
+            let file = format!("{task}.rs");
+            let stub = root().join(format!("assignments/{assignment}/handout/src/{file}"));
+            let stub = std::fs::read_to_string(stub).expect("the handout has it");
+            let text = stub.replace(&format!("todo!({task:?})"), answer);
+            assert_ne!(text, stub);
+            std::fs::write(folder.join(file), text).expect("it can be written");
+        }
+        let folder = folder.to_str().expect("a plain name");
+        let ran = pinhole(&["check", folder, "--assignment", assignment, "--json"]);
+        let examination = ran.expect_code(1).json();
+        for (task, answer) in answers {
+            // It compiled and ran.
+            let outcome = &self::task(&examination, task)["groups"][0]["outcome"];
+            assert_eq!(outcome["kind"], "judged", "{task}: {answer}");
+        }
+        assert_eq!(examination["points"], 0, "{answers:?}");
+    }
+}
+
+#[test]
 fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
     let text = with_body(
         "plane",
