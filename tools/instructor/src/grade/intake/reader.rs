@@ -86,14 +86,17 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundF
         None => Ok((reader.found, true)),
         // What comes later in the archive must not be taken for all that its author handed in.
         Some(why) => {
-            let over = reader.of_each.into_iter().filter(|(_, it)| it.is_over);
+            let each = reader.of_each.iter().filter(|(path, _)| !path.is_empty());
+            let over = each.filter(|(_, one)| one.limits.exceeded().is_some());
             let over: Vec<String> = over.map(|(path, _)| path.join("/")).collect();
-            let problem = format!("{} cannot be read as a whole: {why}", path.display());
-            let remedy = "if it is a class, unpack it and pass the folder; submissions that contain \
-                          too much are then refused one by one";
+            let error = Error::input(
+                format!("{} cannot be read as a whole: {why}", path.display()),
+                "if it is a class, unpack it and pass the folder; submissions that contain too much \
+                 are then refused one by one",
+            );
             Err(match &over[..] {
-                [] => Error::input(problem, remedy),
-                over => Error::input(problem, remedy).because(format!(
+                [] => error,
+                over => error.because(format!(
                     "too much is in {}",
                     file_names::quoted(over).join(", ")
                 )),
@@ -109,6 +112,8 @@ struct Reader<'a> {
     of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
     /// What may still be read of the whole archive, if an archive is read.
     whole: Option<Rc<Limits>>,
+    /// Of what only a part was read, because a limit was exceeded.
+    stopped: BTreeSet<Vec<String>>,
     /// Whether there is a single folder around everything.
     is_wrapped: bool,
     /// The platform that has exported everything, if one did.
@@ -119,8 +124,6 @@ struct Reader<'a> {
 struct SubmissionReadBudget {
     limits: Rc<Limits>,
     others: usize,
-    /// Whether a limit was exceeded, which is reported once.
-    is_over: bool,
 }
 
 impl<'a> Reader<'a> {
@@ -130,6 +133,7 @@ impl<'a> Reader<'a> {
             found: Vec::new(),
             of_each: BTreeMap::new(),
             whole,
+            stopped: BTreeSet::new(),
             is_wrapped: false,
             platform: None,
         }
@@ -176,7 +180,6 @@ impl<'a> Reader<'a> {
                     whole => Rc::new(Limits::of_one(whole)),
                 },
                 others: 0,
-                is_over: false,
             })
     }
 
@@ -196,12 +199,11 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Notes that a submission is over a limit.
+    /// Notes, once, that a submission is over a limit.
     fn stop(&mut self, path: &[String], why: &str) {
-        let one = self.of_one(path);
-        let is_late = one.limits.is_late();
-        if !std::mem::replace(&mut one.is_over, true) {
-            let path = path[..self.length_of_own(path)].to_vec();
+        let is_late = self.limits(path).is_late();
+        let path = path[..self.length_of_own(path)].to_vec();
+        if self.stopped.insert(path.clone()) {
             let content = match is_late {
                 true => Content::Unreadable(why.into()),
                 false => Content::Refused(why.into()),

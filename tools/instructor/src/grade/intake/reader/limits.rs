@@ -103,12 +103,14 @@ impl Limits {
             true => Err(TOO_SLOW),
             false => of(self).spend(amount),
         };
-        let spent = spent.and_then(|()| match &self.whole {
+        if let Err(why) = spent {
+            self.exceeded.set(Some(why));
+            return spent;
+        }
+        match &self.whole {
             Some(whole) => whole.spend(of, amount),
             None => Ok(()),
-        });
-        self.exceeded.set(spent.err().or(self.exceeded.get()));
-        spent
+        }
     }
 
     /// Which limit is exceeded, if one is.

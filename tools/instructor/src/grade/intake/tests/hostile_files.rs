@@ -325,9 +325,11 @@ fn nobody_exceeds_the_limits_of_a_whole_class_alone() {
 #[test]
 fn what_comes_after_too_much_in_an_archive_is_not_taken_for_all_there_is() {
     let export = Export::new();
-    let mut all: Files = (0..90)
-        .flat_map(|k| many_answers(&format!("mallory{k:02}/")))
+    let large = |k: usize| many_answers(&format!("mallory{k:02}/"));
+    let mut all: Files = (0..6)
+        .flat_map(|k| many_answers(&format!("eve/{k}/")))
         .collect();
+    all.extend((0..90).flat_map(large));
     all.extend(answers("zoe/", "zoe"));
     export.put("a.tar.gz", &tar_gz(&all));
     export.put("ada.zip", &zip(&answers("", "ada")));
@@ -337,6 +339,8 @@ fn what_comes_after_too_much_in_an_archive_is_not_taken_for_all_there_is() {
     };
     let error = read(&["a.tar.gz"]).expect_err("it contains too much");
     assert!(error.remedy.contains("unpack it"), "{error:?}");
+    let why = error.to_string();
+    assert!(why.contains("too much is in `eve`"), "{why}");
     // Others are graded.
     let intake = read(&["a.tar.gz", "ada.zip"]).expect("one can be read");
     assert_eq!(intake.entries.len(), 1);
