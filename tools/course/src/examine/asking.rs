@@ -165,7 +165,9 @@ impl Examiner<'_> {
         job: Option<&Job>,
         films: &[&QuestionFilm],
     ) -> Result<Option<Vec<Reply>>> {
-        let Some(job) = job else {
+        // If tests are counted, code could do all tests once, leave the answers behind, panic, and find
+        // them when it is asked again. So nothing that gets a mark is asked twice.
+        let Some(job) = job.filter(|job| self.clock.is_none() || !job.is_counted()) else {
             return Ok(None);
         };
         let mut reply = self.ask_whole(&task.name, job)?;

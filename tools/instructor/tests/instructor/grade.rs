@@ -395,3 +395,37 @@ fn grading_without_a_sandbox_needs_an_option() {
         "bubblewrap"
     );
 }
+
+#[test]
+fn nothing_whose_tests_are_counted_is_asked_twice() {
+    let folder = fresh(&trusted(), "asked-twice");
+    let own = folder.join("class/ada");
+    fs::create_dir_all(&own).expect("there is room");
+    let reference = root().join("assignments/bounding_volumes/reference/src");
+    for answer in fs::read_dir(reference).expect("it is there").flatten() {
+        fs::copy(answer.path(), own.join(answer.file_name())).expect("there is room");
+    }
+    // In the first process, it could do all tests and leave the answers behind.
+    let mark = folder.join("mark");
+    let first = format!(
+        "if !std::path::Path::new({mark:?}).exists() {{
+             std::fs::write({mark:?}, \"\").unwrap();
+             panic!(\"the first process ends\");
+         }}\n"
+    );
+    let search = own.join("nearest_hit.rs");
+    let text = fs::read_to_string(&search).expect("it is there");
+    let text = text.replace("// ANCHOR: answer\n", &first);
+    fs::write(search, text).expect("there is room");
+    let [class, out] = ["class", "out"].map(|name| folder.join(name));
+    let [class, out] = [&class, &out].map(|it| it.to_str().expect("a plain name"));
+    let course = ["--assignment", "bounding_volumes", "--trust", "--no-fresh"];
+    pinhole(&[&["grade", class, "--out", out], &course[..]].concat()).expect_code(0);
+    let result = fs::read_to_string(folder.join("out/submissions/ada/result.json"));
+    let result: Value = serde_json::from_str(&result.expect("it is there")).expect("it is JSON");
+    let tasks = result["tasks"].as_array().expect("tasks");
+    let search = tasks.iter().find(|it| it["name"] == "nearest_hit");
+    let points = search.and_then(|it| it["points"].as_u64());
+    let points = points.expect("it was graded");
+    assert!(0 < points && points < 25, "{points}: {result:#}");
+}
