@@ -147,7 +147,7 @@ pub fn find(
             "name a submission, or a folder of submissions",
         )?;
         let read = link::refuse_input(path).and_then(|()| reader::read(path, &is_answer));
-        let (found, is_archive) = match read {
+        let found = match read {
             Ok(read) => read,
             Err(error) if paths.len() == 1 => return Err(error),
             // A student may have made it so that nobody is graded.
@@ -158,9 +158,10 @@ pub fn find(
         };
         let mut source = Source {
             name: name(path),
-            is_archive,
+            is_archive: found.is_archive,
+            is_wrapped: found.is_wrapped,
             is_only: paths.len() == 1,
-            found,
+            found: found.files,
             is_on_roster: &is_on_roster,
             is_id: &is_id,
         };

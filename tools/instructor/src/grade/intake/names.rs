@@ -247,6 +247,16 @@ pub fn reading(name: &str, from: Option<Platform>) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
 
+/// Whose upload this may be: all with this text are one person's. If a name can be read in several
+/// ways, its author may have made it look like somebody else's, so the text is nobody's clear name.
+pub fn account(name: &str, from: Option<Platform>) -> String {
+    match &readings(name, from)[..] {
+        [] => name.into(),
+        [only] => format!("{}_{}", only.person, only.number),
+        [first, ..] => format!("{}_{}?", first.person, first.number),
+    }
+}
+
 /// The platform that has exported a class: the one as whose most of these names can be read. What an
 /// uploader adds to a name may look like another platform's.
 pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Platform> {

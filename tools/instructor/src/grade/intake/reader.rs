@@ -58,41 +58,54 @@ const MOST_FOLDERS: usize = 40;
 const MOST_NAME: usize = 4096;
 const MOST_PARTS: usize = 100;
 
-/// Reads everything in a folder or an archive, and returns whether it is an archive. `is_answer`
-/// recognises the names of answer files. Neither follows a link nor waits for another process.
+/// Everything in a folder or an archive.
+pub struct Found {
+    pub files: Vec<FoundFile>,
+    pub is_archive: bool,
+    /// Whether it is an archive with a single folder around everything.
+    pub is_wrapped: bool,
+}
+
+/// Reads everything in a folder or an archive. `is_answer` recognises the names of answer files.
+/// Neither follows a link nor waits for another process.
 ///
 /// # Errors
-/// If it can't be read, or is neither a folder nor a regular file, or if it is an archive that
-/// contains too much.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundFile>, bool)> {
+/// If it can't be read, or is neither a folder nor a regular file, or if it contains too much.
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Found> {
     let unreadable = text::unreadable(path);
-    if path.symlink_metadata().or_fail(&unreadable)?.is_dir() {
-        let mut reader = Reader::new(is_answer, None);
-        folder::read(&mut reader, path).or_fail(&unreadable)?;
-        return Ok((reader.found, false));
+    let is_archive = !path.symlink_metadata().or_fail(&unreadable)?.is_dir();
+    let mut reader = Reader::new(is_answer);
+    match is_archive {
+        false => folder::read(&mut reader, path).or_fail(&unreadable)?,
+        true => {
+            let file = text::open(path).or_fail(&unreadable)?;
+            let metadata = file.metadata().or_fail(&unreadable)?;
+            if !metadata.is_file() {
+                return Err(Error::input(
+                    format!("{} is neither a folder nor a regular file", path.display()),
+                    "name a submission, or a folder of submissions",
+                ));
+            }
+            reader.whole = Rc::new(Limits::of_archive(metadata.len()));
+            reader.whole.start_clock();
+            reader.archive(file, &[], 0);
+        }
     }
-    let file = text::open(path).or_fail(&unreadable)?;
-    let metadata = file.metadata().or_fail(&unreadable)?;
-    if !metadata.is_file() {
-        return Err(Error::input(
-            format!("{} is neither a folder nor a regular file", path.display()),
-            "name a submission, or a folder of submissions",
-        ));
-    }
-    let whole = Rc::new(Limits::of_archive(metadata.len()));
-    let mut reader = Reader::new(is_answer, Some(whole.clone()));
-    reader.archive(file, &[], 0);
-    match whole.exceeded() {
-        None => Ok((reader.found, true)),
-        // What comes later in the archive must not be taken for all that its author handed in.
+    match reader.whole.exceeded() {
+        None => Ok(Found {
+            files: reader.found,
+            is_archive,
+            is_wrapped: reader.is_wrapped,
+        }),
+        // What comes later must not be taken for all that its author handed in.
         Some(why) => {
             let each = reader.of_each.iter().filter(|(path, _)| !path.is_empty());
             let over = each.filter(|(_, one)| one.limits.exceeded().is_some());
             let over: Vec<String> = over.map(|(path, _)| path.join("/")).collect();
             let error = Error::input(
                 format!("{} cannot be read as a whole: {why}", path.display()),
-                "if it is a class, unpack it and pass the folder; submissions that contain too much \
-                 are then refused one by one",
+                "if it is a class, grade those apart who handed in too much; of an archive, unpack it \
+                 and pass the folder",
             );
             Err(match &over[..] {
                 [] => error,
@@ -108,16 +121,49 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<(Vec<FoundF
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
     found: Vec<FoundFile>,
-    /// What may still be read of each submission, by its path.
+    /// What may still be read of each submission, by the path of its account.
     of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
-    /// What may still be read of the whole archive, if an archive is read.
-    whole: Option<Rc<Limits>>,
+    /// The path of the submission that was read last, and of its account.
+    last: (Vec<String>, Vec<String>),
+    /// What may still be read of everything.
+    whole: Rc<Limits>,
     /// Of what only a part was read, because a limit was exceeded.
     stopped: BTreeSet<Vec<String>>,
     /// Whether there is a single folder around everything.
     is_wrapped: bool,
     /// The platform that has exported everything, if one did.
     platform: Option<Platform>,
+}
+
+/// The names at the top and, as long as there is only one, the names inside it.
+#[derive(Default)]
+struct TopNames {
+    tops: BTreeSet<String>,
+    inside: BTreeSet<Option<String>>,
+}
+
+/// Longer names are not a platform's.
+const LONGEST_NAME: usize = 1000;
+
+impl TopNames {
+    /// Adds the names in the path of a file, or the name of anything at the top. Returns how many
+    /// bytes they take.
+    fn add(&mut self, path: &str) -> u64 {
+        let cut = |name: &str| name[..name.floor_char_boundary(LONGEST_NAME)].to_owned();
+        let parts: Vec<String> = path.splitn(3, '/').map(cut).collect();
+        if is_skipped(&parts, 0) {
+            return 0;
+        }
+        let mut parts = parts.into_iter();
+        let (top, inside) = (parts.next().unwrap_or_default(), parts.next());
+        let cost = 64 + top.len() + inside.as_ref().map_or(0, String::len);
+        let mut is_new = self.tops.insert(top);
+        match self.tops.len() {
+            1 => is_new |= self.inside.insert(inside),
+            _ => self.inside.clear(),
+        }
+        if is_new { cost as u64 } else { 0 }
+    }
 }
 
 /// How much was read of one submission.
@@ -127,35 +173,26 @@ struct SubmissionReadBudget {
 }
 
 impl<'a> Reader<'a> {
-    fn new(is_answer: &'a dyn Fn(&str) -> bool, whole: Option<Rc<Limits>>) -> Reader<'a> {
+    fn new(is_answer: &'a dyn Fn(&str) -> bool) -> Reader<'a> {
         Reader {
             is_answer,
             found: Vec::new(),
             of_each: BTreeMap::new(),
-            whole,
+            last: Default::default(),
+            whole: Rc::new(Limits::of_folder(0)),
             stopped: BTreeSet::new(),
             is_wrapped: false,
             platform: None,
         }
     }
 
-    /// Finds out how submissions are named, by the paths of all files, or by what is at the top.
-    /// Otherwise, somebody who hands in many archives could have each of them read as far as a
-    /// whole submission.
-    fn look_at_names<'n>(&mut self, paths: impl Iterator<Item = &'n str>) {
-        let (mut tops, mut inside) = (BTreeSet::new(), BTreeSet::new());
-        for path in paths {
-            let mut parts = path.splitn(3, '/').map(str::to_owned);
-            let top = parts.next().unwrap_or_default();
-            if !is_skipped(std::slice::from_ref(&top), 0) {
-                tops.insert(top);
-                inside.insert(parts.next());
-            }
-        }
-        self.is_wrapped = tops.len() == 1 && !inside.contains(&None);
+    /// Finds out how submissions are named. Otherwise, somebody who hands in many archives could have
+    /// each of them read as far as a whole submission.
+    fn name_submissions(&mut self, names: TopNames) {
+        self.is_wrapped = names.tops.len() == 1 && !names.inside.contains(&None);
         self.platform = match self.is_wrapped {
-            true => names::exported_by(inside.iter().flatten()),
-            false => names::exported_by(tops.iter()),
+            true => names::exported_by(names.inside.iter().flatten()),
+            false => names::exported_by(names.tops.iter()),
         };
     }
 
@@ -165,19 +202,28 @@ impl<'a> Reader<'a> {
     }
 
     fn of_one(&mut self, path: &[String]) -> &mut SubmissionReadBudget {
-        let mut own = path[..self.length_of_own(path)].to_vec();
-        if let Some(name) = own.last_mut()
-            && let Some(given) = names::reading(name, self.platform)
-        {
-            *name = given.submission;
+        let own = &path[..self.length_of_own(path)];
+        if self.last.0 != own {
+            let mut account = own.to_vec();
+            if let Some(name) = account.last_mut().filter(|it| it.len() <= LONGEST_NAME) {
+                *name = names::account(name, self.platform);
+            }
+            self.last = (own.to_vec(), account);
         }
+        let own = self.last.1.clone();
         let whole = self.whole.clone();
         self.of_each
             .entry(own)
             .or_insert_with_key(|own| SubmissionReadBudget {
-                limits: match whole {
-                    Some(whole) if own.is_empty() => whole,
-                    whole => Rc::new(Limits::of_one(whole)),
+                limits: match own.is_empty() {
+                    true => whole,
+                    false => {
+                        // The path is stored in several places. If it takes too much, the next file
+                        // ends the reading.
+                        let length: usize = own.iter().map(String::len).sum();
+                        let _ = whole.spend(|it| &it.kept, 512 + 4 * length as u64);
+                        Rc::new(Limits::of_one(Some(whole)))
+                    }
                 },
                 others: 0,
             })
@@ -214,12 +260,18 @@ impl<'a> Reader<'a> {
 
     /// The path of a file in an archive, if the file is to be looked at.
     fn enter(&mut self, folder: &[String], name: &str) -> Option<Vec<String>> {
-        let parts = name.split('/').take(MOST_PARTS + 1).map(str::to_owned);
+        if self.whole.exceeded().is_some() {
+            return None;
+        }
+        let is_long = name.len() > MOST_NAME;
+        let most = if is_long { LONGEST_NAME } else { MOST_NAME };
+        let shown = &name[..name.floor_char_boundary(most)];
+        let parts = shown.split('/').take(MOST_PARTS + 1).map(str::to_owned);
         let path: Vec<String> = folder.iter().cloned().chain(parts).collect();
         if name.is_empty() || is_skipped(&path, folder.len()) || !self.may_go_on(&path) {
             return None;
         }
-        if path.len() > MOST_PARTS || name.len() > MOST_NAME {
+        if path.len() > MOST_PARTS || is_long {
             self.stop(
                 &path,
                 "it contains files that are nested too deeply, or whose names are too long",

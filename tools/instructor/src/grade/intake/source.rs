@@ -12,6 +12,8 @@ use super::reader::{Content, FoundFile, file_names};
 pub struct Source<'a> {
     pub name: String,
     pub is_archive: bool,
+    /// Whether it is an archive with a single folder around everything.
+    pub is_wrapped: bool,
     /// Whether no other path was named.
     pub is_only: bool,
     pub found: Vec<FoundFile>,
@@ -54,18 +56,13 @@ impl Source<'_> {
     /// that Brightspace adds.
     pub fn unwrap(&mut self) {
         remove_list(&mut self.found);
-        let tops = tops(self.found.clone());
-        let Some((top, found)) = tops.iter().next().filter(|_| tops.len() == 1) else {
+        let Some(top) = self.found.first().and_then(|it| it.path.first()) else {
             return;
         };
-        let mut inside = below(found);
+        let mut inside = below(&self.found);
         remove_list(&mut inside);
         let is_class = !inside.is_empty() && self.names_people(&inside);
-        if self.is_archive
-            && is_class
-            && !self.is_person(top, false)
-            && !file_names::is_archive(top)
-        {
+        if self.is_wrapped && is_class && !self.is_person(top, false) {
             self.found = inside;
         }
     }

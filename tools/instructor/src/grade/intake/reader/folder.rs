@@ -4,21 +4,24 @@
 use std::fs::File;
 use std::io;
 use std::path::Path;
+use std::rc::Rc;
 
 use pinhole_course::submission::text;
 
 use super::file_names::is_skipped;
+use super::limits::Limits;
 use super::unpack::UnreadFile;
-use super::{Content, MOST_FOLDERS, Reader};
+use super::{Content, MOST_FOLDERS, Reader, TopNames};
 
 /// Reads the folder at a path, which is not followed if it has become a link.
 pub fn read(reader: &mut Reader, path: &Path) -> io::Result<()> {
     let folder = held::Folder::open(path)?;
-    let tops = folder.entries()?.into_iter();
-    let tops: Vec<String> = tops
-        .map(|(name, _)| text::name(name.as_encoded_bytes()))
-        .collect();
-    reader.look_at_names(tops.iter().map(String::as_str));
+    let mut names = TopNames::default();
+    for (name, _) in folder.entries()? {
+        names.add(&text::name(name.as_encoded_bytes()));
+    }
+    reader.whole = Rc::new(Limits::of_folder(names.tops.len() as u64));
+    reader.name_submissions(names);
     walk(reader, &folder, &mut Vec::new())
 }
 
@@ -229,7 +232,7 @@ mod tests {
         std::fs::create_dir(&ada).expect("there is room");
         std::fs::write(ada.join("answer.rs"), "").expect("there is room");
         std::os::unix::fs::symlink(&ada, &mallory).expect("there is room");
-        let mut reader = Reader::new(&|_| true, None);
+        let mut reader = Reader::new(&|_| true);
         assert!(read(&mut reader, &mallory).is_err());
         assert_eq!(reader.found, []);
         assert!(read(&mut reader, &ada).is_ok());

@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 
 use super::FoundFile;
 
-/// How much of one submission is read, or of a whole archive. Everything that is read counts
-/// for its submission and for the archive that contains it. A whole archive may contain so much more
-/// than a submission that a few people can't exceed its limits.
+/// How much of one submission is read, or of a whole folder or archive. Everything that is read
+/// counts for its submission and for the folder or archive that contains it, which may contain so
+/// much more than a submission that a few people can't exceed its limits.
 pub struct Limits {
     /// Bytes of what is kept: answers, and the paths of all that is listed.
     pub kept: Limit,
@@ -45,7 +45,7 @@ impl Limit {
 }
 
 /// How many bytes are kept, unpacked and passed of one submission.
-const MOST_KEPT: u64 = 16 << 20;
+const MOST_KEPT: u64 = 4 << 20;
 const MOST_UNPACKED: u64 = 1 << 30;
 const MOST_PASSED: u64 = 4 << 30;
 
@@ -56,19 +56,33 @@ pub const TOO_SLOW: &str = "reading it takes longer than a minute";
 impl Limits {
     /// The limits of an archive of this length that may contain a whole class.
     pub fn of_archive(length: u64) -> Limits {
-        let limit = |of_one: u64, exceeded| {
-            let most = length.saturating_mul(20).saturating_add(16 * of_one);
-            Limit::new(most, exceeded)
+        let more = length.saturating_mul(20);
+        let time = MOST_TIME.saturating_add(Duration::from_secs(length >> 20));
+        Limits::of_class([more; 3], time)
+    }
+
+    /// The limits of a folder with so many files and folders at the top.
+    pub fn of_folder(tops: u64) -> Limits {
+        let more = tops.saturating_mul(256 << 10);
+        Limits::of_class([more, u64::MAX, u64::MAX], Duration::MAX)
+    }
+
+    /// The limits of sixteen submissions, and so much more.
+    fn of_class([kept, unpacked, passed]: [u64; 3], time: Duration) -> Limits {
+        let limit = |of_one: u64, more: u64, exceeded| {
+            Limit::new(more.saturating_add(16 * of_one), exceeded)
         };
+        let unpacks = "it unpacks to more than a whole class needs";
         Limits {
             kept: limit(
                 MOST_KEPT,
+                kept,
                 "it contains more answer files than a whole class needs",
             ),
-            unpacked: limit(MOST_UNPACKED, "it unpacks to more than a whole class needs"),
-            passed: limit(MOST_PASSED, "it unpacks to more than a whole class needs"),
+            unpacked: limit(MOST_UNPACKED, unpacked, unpacks),
+            passed: limit(MOST_PASSED, passed, unpacks),
             files: Limit::new(u64::MAX, ""),
-            time: Cell::new(Duration::MAX),
+            time: Cell::new(time),
             until: Cell::new(None),
             whole: None,
             exceeded: Cell::new(None),

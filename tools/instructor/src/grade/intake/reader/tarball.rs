@@ -1,6 +1,5 @@
 //! A `tar` archive, compressed by `gzip` or not, read from front to back.
 
-use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, Write};
 use std::rc::Rc;
@@ -12,7 +11,7 @@ use tar::{Archive, Entry, EntryType, PaxExtensions};
 
 use super::limits::{LimitedStream, Limits, TOO_SLOW};
 use super::unpack::{ReadFailure, UnreadFile};
-use super::{MOST_NAME, Reader};
+use super::{MOST_NAME, Reader, TopNames};
 
 /// Whether a file begins as `tar` archives do.
 pub fn begins(start: &[u8]) -> bool {
@@ -36,16 +35,14 @@ pub fn read(
 fn walk(reader: &mut Reader, mut file: File, path: &[String], depth: usize) -> Result<(), String> {
     let limits = reader.limits(path);
     if depth == 0 {
-        let mut paths = BTreeSet::new();
+        let mut names = TopNames::default();
         let same = file.try_clone().map_err(spoilt)?;
         each(same, limits.clone(), |name, entry| {
             let path = plain_path(name).ok().filter(|_| is_file(entry));
-            // Only the first parts matter.
-            paths
-                .extend(path.map(|path| path.splitn(3, '/').take(2).collect::<Vec<_>>().join("/")));
-            Ok(())
+            let cost = path.map_or(0, |path| names.add(&path));
+            Ok(limits.spend(|it| &it.kept, cost)?)
         })?;
-        reader.look_at_names(paths.iter().map(String::as_str));
+        reader.name_submissions(names);
         file.rewind().map_err(spoilt)?;
     }
     each(file, limits, |name, entry| {
@@ -121,8 +118,12 @@ fn each(
             }
             continue;
         }
+        if kind == EntryType::GNULongLink {
+            continue;
+        }
         let name = long_name.take();
-        let name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
+        let mut name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
+        name.truncate(MOST_NAME + 1);
         if !kind.is_dir() && kind != EntryType::XGlobalHeader {
             visit(&text::name(&name), &mut entry)?;
         }
@@ -156,7 +157,8 @@ mod tests {
             let mut same = file.try_clone().expect("it is open");
             let limits = Limits::of_one(None).with_time(time);
             limits.start_clock();
-            let mut reader = Reader::new(&|_| true, Some(Rc::new(limits)));
+            let mut reader = Reader::new(&|_| true);
+            reader.whole = Rc::new(limits);
             let result = super::read(&mut reader, file, &[], 0);
             (result, same.stream_position().expect("it is open"))
         };

@@ -6,9 +6,9 @@ use std::io::Write;
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::archive::{Archive, MOST_READ};
 
-use super::Reader;
 use super::limits::LimitedStream;
 use super::unpack::{ReadFailure, UnreadFile};
+use super::{Reader, TopNames};
 
 /// Reads the files that matter.
 pub fn read(
@@ -30,7 +30,11 @@ pub fn read(
     };
     let mut archive = Archive::new(file, most).map_err(ReadFailure::Refused)?;
     if depth == 0 {
-        reader.look_at_names(archive.files());
+        let mut names = TopNames::default();
+        for path in archive.files() {
+            names.add(path);
+        }
+        reader.name_submissions(names);
     }
     for (name, why) in archive.misplaced() {
         let refused = reader.refuse(path, depth, name, why);
