@@ -61,7 +61,7 @@ def one_huge(rng):
     """One triangle that is far larger than all others."""
     count = rng.integers(16, SLOTS + 1)
     boxes = around(rng, rng.uniform(-3, 3, (count, 3)), 0.5)
-    boxes[rng.integers(count)] = rng.uniform(-1, 1, 3) + np.array([[-20] * 3, [20] * 3])
+    boxes[rng.integers(count)] = rng.uniform(-1, 1, 3) + np.array([[-4] * 3, [4] * 3])
     return ask(boxes)
 
 
