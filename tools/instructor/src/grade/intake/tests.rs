@@ -1,5 +1,6 @@
 //! Submissions as platforms export them and as people pack them.
 
+mod archives;
 mod hostile;
 mod hostile_files;
 mod platforms;

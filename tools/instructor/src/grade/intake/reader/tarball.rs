@@ -36,14 +36,14 @@ fn walk(reader: &mut Reader, mut file: File, path: &[String], depth: usize) -> R
     let limits = reader.limits(path);
     if depth == 0 {
         let mut names = TopNames::default();
-        let same = file.try_clone().map_err(spoilt)?;
+        let same = file.try_clone().map_err(make_no_sense)?;
         each(same, limits.clone(), |name, entry| {
             let path = plain_path(name).ok().filter(|_| is_file(entry));
             let cost = path.map_or(0, |path| names.add(&path));
             Ok(limits.spend(|it| &it.kept, cost)?)
         })?;
         reader.name_submissions(names);
-        file.rewind().map_err(spoilt)?;
+        file.rewind().map_err(make_no_sense)?;
     }
     each(file, limits, |name, entry| {
         let inside = match plain_path(name) {
@@ -61,14 +61,14 @@ fn walk(reader: &mut Reader, mut file: File, path: &[String], depth: usize) -> R
             let copied = io::copy(&mut entry.take(most), to);
             copied
                 .map(drop)
-                .map_err(|error| ReadFailure::Refused(spoilt(error)))
+                .map_err(|error| ReadFailure::Refused(make_no_sense(error)))
         };
         reader.file(&inside, depth, UnreadFile::Packed(&mut copy));
         Ok(())
     })
 }
 
-fn spoilt(error: io::Error) -> String {
+fn make_no_sense(error: io::Error) -> String {
     format!("its contents make no sense ({error})")
 }
 
@@ -97,18 +97,18 @@ fn each(
         false => Box::new(file),
     };
     let mut archive = Archive::new(unpacked);
-    let entries = archive.entries().map_err(spoilt)?;
+    let entries = archive.entries().map_err(make_no_sense)?;
     let mut long_name: Option<Vec<u8>> = None;
     // Read raw entries; otherwise a name of any length would be read into memory.
     for entry in entries.raw(true) {
-        let mut entry = entry.map_err(spoilt)?;
+        let mut entry = entry.map_err(make_no_sense)?;
         let kind = entry.header().entry_type();
         if kind == EntryType::GNULongName || kind == EntryType::XHeader {
             let mut bytes = Vec::new();
             let read = (&mut entry)
                 .take(2 * MOST_NAME as u64)
                 .read_to_end(&mut bytes);
-            read.map_err(spoilt)?;
+            read.map_err(make_no_sense)?;
             match kind {
                 EntryType::GNULongName => {
                     bytes.truncate(bytes.iter().take_while(|byte| **byte != 0).count());
