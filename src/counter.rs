@@ -11,7 +11,7 @@ thread_local! {
 
 /// Counts a test of the pixel that this thread is casting, for its heat map.
 pub fn count_test() {
-    TESTS.set(TESTS.get().saturating_add(1));
+    TESTS.with(|tests| tests.set(tests.get().saturating_add(1)));
 }
 
 /// The result of some work, and how many tests this thread counted during it.

@@ -39,6 +39,7 @@ pub const MISS: f32 = -1.0;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Film {
     resolution: Resolution,
+    /// Sorted by name, because a question about a tree may have hundreds.
     channels: Vec<Channel>,
 }
 
@@ -56,12 +57,13 @@ impl Film {
     ///
     /// # Panics
     /// If a channel does not have exactly one sample per pixel.
-    pub fn new(resolution: Resolution, channels: Vec<Channel>) -> Film {
+    pub fn new(resolution: Resolution, mut channels: Vec<Channel>) -> Film {
         let complete = |channel: &Channel| channel.samples.len() == resolution.pixels();
         assert!(
             channels.iter().all(complete),
             "a channel needs one sample per pixel"
         );
+        channels.sort_by(|a, b| a.name.cmp(&b.name));
         Film {
             resolution,
             channels,
@@ -146,15 +148,15 @@ impl Film {
         self.resolution
     }
 
-    /// All channels, in no particular order.
+    /// All channels, sorted by name.
     pub fn channels(&self) -> &[Channel] {
         &self.channels
     }
 
     /// The samples of the channel of this name, in image order.
     pub fn channel(&self, name: &str) -> Option<&[f32]> {
-        let found = self.channels.iter().find(|channel| channel.name == name);
-        found.map(|channel| channel.samples.as_slice())
+        let found = (self.channels).binary_search_by(|channel| channel.name.as_str().cmp(name));
+        found.ok().map(|at| self.channels[at].samples.as_slice())
     }
 
     /// What a film of hits shows at `index`: the inverse of [`of_hits`](Film::of_hits). A missing
