@@ -150,7 +150,8 @@ impl Compiler {
     }
 
     /// Compiles a submission. Each answer that is missing or does not compile is replaced with its
-    /// stub, so that one bad file costs only one task.
+    /// stub, so that one bad file costs only one task. An answer that compiles with the others is not
+    /// replaced.
     ///
     /// # Errors
     /// If even the stubs do not compile, or the compiler cannot be run.
@@ -205,6 +206,7 @@ impl Compiler {
             replaced.insert(task.clone(), why);
         }
         let mut is_last = false;
+        let mut all_blamed = Vec::new();
         let late = Cell::new(false);
         // Each round replaces at least one answer, except the last one, and one after a compiler that
         // failed for no answer's fault. So there are at most this many rounds.
@@ -243,9 +245,29 @@ impl Compiler {
             };
             match compile(&replaced)? {
                 BuildResult::Program {
-                    executable,
-                    warnings,
+                    mut executable,
+                    mut warnings,
                 } => {
+                    // Some may only use another answer that has been replaced since, or that they
+                    // clash with.
+                    let doubtful = match all_blamed.len() {
+                        0 | 1 => Vec::new(),
+                        _ => std::mem::take(&mut all_blamed),
+                    };
+                    for task in doubtful.into_iter().take_while(|_| !is_done()) {
+                        let mut fewer = replaced.clone();
+                        fewer.remove(&task);
+                        if let BuildResult::Program {
+                            executable: better,
+                            warnings: told,
+                        } = compile(&fewer)?
+                        {
+                            (executable, warnings, replaced) = (better, told, fewer);
+                        }
+                        if late.get() {
+                            return Ok(Attempt::Late);
+                        }
+                    }
                     unclear.retain(|task| !replaced.contains_key(*task));
                     if !unclear.is_empty() {
                         let tasks = unclear.drain(..);
@@ -299,6 +321,7 @@ impl Compiler {
                             None => return Err(blame::not_theirs(&diagnostics)),
                         };
                     }
+                    all_blamed.extend(blamed.keys().cloned());
                     replaced.extend(blamed);
                 }
             }
@@ -369,33 +392,57 @@ fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements)
 mod tests {
     use super::*;
 
-    #[test]
-    fn answers_that_compile_stay_when_others_have_used_up_the_time() {
+    /// Which of the reference's answers are replaced when the first ones are edited like this, by their
+    /// positions.
+    fn replaced(edits: &[fn(&str) -> String], is_done: bool) -> Vec<usize> {
         let checkout = Checkout::find().unwrap();
         let name = checkout.default_assignment().unwrap();
         let assignment = Assignment::read(&checkout, &name).unwrap();
         let mut submission = Submission::find(&assignment.reference(), &assignment).unwrap();
+        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
+            let text = answer.text.as_ref();
+            answer.text = text.map(|text| edit(text)).map_err(Clone::clone);
+        }
+        let compiler = Compiler::new(&assignment, &checkout, &Sandbox::Trusted).unwrap();
+        let attempt = compiler.compile_within(&|| is_done, &submission, &mut |_| false);
+        let Ok(Attempt::Program(program)) = attempt else {
+            panic!("a program without the bad answers")
+        };
+        let answers = submission.answers.iter().enumerate();
+        let replaced = answers.filter(|(_, it)| program.replaced.contains_key(&it.task));
+        replaced.map(|(position, _)| position).collect()
+    }
+
+    #[test]
+    fn answers_that_compile_stay_when_others_have_used_up_the_time() {
         let edits: [fn(&str) -> String; 3] = [
             |_| String::new(),
             |text| text.replacen("fn ", "fn fn ", 1),
             |text| format!("{text}\nfn f() {{ unknown() }}"),
         ];
-        let mut bad = Vec::new();
-        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
-            answer.text = answer
-                .text
-                .as_ref()
-                .map(|text| edit(text))
-                .map_err(Clone::clone);
-            bad.push(answer.task.clone());
-        }
-        let compiler = Compiler::new(&assignment, &checkout, &Sandbox::Trusted).unwrap();
-        let attempt = compiler.compile_within(&|| true, &submission, &mut |_| false);
-        let Ok(Attempt::Program(program)) = attempt else {
-            panic!("a program without the bad answers")
+        assert_eq!(replaced(&edits, true), [0, 1, 2]);
+    }
+
+    #[test]
+    fn answer_that_uses_another_one_is_not_to_blame_for_it() {
+        let edits: [fn(&str) -> String; 2] = [
+            |text| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1),
+            |text| format!("{text}\n#[allow(unused)]\nuse crate::viewing_ray::viewing_ray;"),
+        ];
+        assert_eq!(replaced(&edits, false), [0]);
+    }
+
+    #[test]
+    fn only_one_of_two_answers_that_clash_is_replaced() {
+        let clash = |text: &str| {
+            format!(
+                "{text}\nimpl crate::intersect_ray::IntersectRay for () {{
+                    fn intersect_ray(&self, _: &pinhole::Ray, _: f64) -> Option<pinhole::Intersection> {{
+                        None
+                    }}
+                }}"
+            )
         };
-        let replaced: Vec<String> = program.replaced.into_keys().collect();
-        bad.sort();
-        assert_eq!(replaced, bad);
+        assert_eq!(replaced(&[clash, clash], false).len(), 1);
     }
 }
