@@ -53,11 +53,18 @@ const MOST_PASSED: u64 = 4 << 30;
 const MOST_TIME: Duration = Duration::from_secs(60);
 pub const TOO_SLOW: &str = "reading it takes longer than a minute";
 
+/// So many submissions may reach their limits in a class.
+const SEVERAL: u64 = 32;
+
+/// The clock of an archive that may contain a whole class runs for this long, and for a second more for
+/// each MiB.
+const MOST_TIME_OF_CLASS: Duration = Duration::from_secs(15 * 60);
+
 impl Limits {
     /// The limits of an archive of this length that may contain a whole class.
     pub fn of_archive(length: u64) -> Limits {
         let more = length.saturating_mul(20);
-        let time = MOST_TIME.saturating_add(Duration::from_secs(length >> 20));
+        let time = MOST_TIME_OF_CLASS.saturating_add(Duration::from_secs(length >> 20));
         Limits::of_class([more; 3], time)
     }
 
@@ -67,10 +74,10 @@ impl Limits {
         Limits::of_class([more, u64::MAX, u64::MAX], Duration::MAX)
     }
 
-    /// The limits of sixteen submissions, and so much more.
+    /// The limits of [`SEVERAL`] submissions, and so much more.
     fn of_class([kept, unpacked, passed]: [u64; 3], time: Duration) -> Limits {
         let limit = |of_one: u64, more: u64, exceeded| {
-            Limit::new(more.saturating_add(16 * of_one), exceeded)
+            Limit::new(more.saturating_add(SEVERAL * of_one), exceeded)
         };
         let unpacks = "it unpacks to more than a whole class needs";
         Limits {
