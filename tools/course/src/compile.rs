@@ -42,13 +42,23 @@ pub struct Program {
     /// The tasks whose answer is the stub, either because it was replaced or because it is still
     /// what was handed out.
     pub stubs: BTreeSet<String>,
-    /// The same program with our answer to the task of an earlier assignment. `None` if the
-    /// student's answer is not used anyway, or if the other answers don't compile with ours.
-    pub with_ours: Option<PathBuf>,
+    /// The same program with our answer to the task of an earlier assignment.
+    pub with_ours: WithOurs,
     /// What the compiler warned about, by task.
     pub warnings: BTreeMap<String, String>,
     /// Raised when its answers are no longer needed.
     pub stop: Stop,
+}
+
+/// A program with our answer to the task of an earlier assignment instead of the student's.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WithOurs {
+    /// There is no other one, because the student's answer is not used anyway.
+    Same,
+    /// This executable.
+    Executable(PathBuf),
+    /// The other answers need something of the student's answer that ours doesn't have.
+    DoesNotCompile,
 }
 
 /// Why an answer was replaced by its stub.
@@ -278,19 +288,19 @@ impl Compiler {
                         submission.answer(task).is_some() && !replaced.contains_key(*task)
                     };
                     let with_ours = match self.earlier.as_ref().filter(is_theirs) {
-                        None => None,
+                        None => WithOurs::Same,
                         Some(task) => {
                             let missing = Replacement::Unusable(AnswerFileProblem::Missing);
                             let mut ours = replaced.clone();
                             ours.insert(task.clone(), missing);
                             match compile(&ours)? {
-                                BuildResult::Program { executable, .. } => Some(executable),
+                                BuildResult::Program { executable, .. } => {
+                                    WithOurs::Executable(executable)
+                                }
                                 BuildResult::Refused { .. } if late.get() => {
                                     return Ok(Attempt::Late);
                                 }
-                                // The student's other answers need something that our answer
-                                // doesn't have.
-                                BuildResult::Refused { .. } => None,
+                                BuildResult::Refused { .. } => WithOurs::DoesNotCompile,
                             }
                         }
                     };

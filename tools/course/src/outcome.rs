@@ -175,9 +175,13 @@ pub struct EarlierOutcome {
     pub task: String,
     /// The earlier assignment.
     pub assignment: String,
-    /// Why scenes were cast without this answer, as a clause: "it does not compile". Null if they
-    /// were cast with the answer.
+    /// What is wrong with this answer, as a clause: "it does not compile". Null if it is right, so that
+    /// scenes were cast with it.
     pub problem: Option<String>,
+    /// Whether scenes were cast with it even if it is wrong, because other answers don't compile
+    /// without it.
+    #[serde(default)]
+    pub is_needed: bool,
 }
 
 /// One scene, cast by all answers together.

@@ -89,7 +89,7 @@ fn scenes_are_cast_with_an_answer_of_an_earlier_assignment_only_if_it_passes() {
         ));
         std::fs::write(folder.join(file), text).expect("it is ours");
     }
-    let check = |text: &str| {
+    let check_with = |code, text: &str| {
         std::fs::write(folder.join("triangle.rs"), text).expect("it is ours");
         let scene = ["--scene", "lone_triangle", "--no-report", "--json"];
         let line = [
@@ -97,14 +97,15 @@ fn scenes_are_cast_with_an_answer_of_an_earlier_assignment_only_if_it_passes() {
             &scene,
         ]
         .concat();
-        let examination = pinhole(&line).expect_code(0).json();
+        let examination = pinhole(&line).expect_code(code).json();
         let printed = examination["printed"].as_str().expect("a text");
         let is_theirs = printed.starts_with("theirs");
         (examination["earlier"]["problem"].clone(), is_theirs)
     };
+    let check = |text: &str| check_with(0, text);
     assert_eq!(check(&right), (Value::Null, true));
-    let fails = "it fails the group `back`".into();
-    assert_eq!(check(&wrong), (fails, false));
+    let fails = Value::from("it fails the group `back`");
+    assert_eq!(check(&wrong), (fails.clone(), false));
     let broken = format!("{right} let");
     assert_eq!(check(&broken), ("it does not compile here".into(), false));
     let reset = ["reset", "triangle", own, "--assignment", "bounding_volumes"];
@@ -115,10 +116,9 @@ fn scenes_are_cast_with_an_answer_of_an_earlier_assignment_only_if_it_passes() {
     let needing = std::fs::read_to_string(folder.join("nearest_hit.rs")).expect("it is there");
     let needing = needing.replacen("// ANCHOR: answer", "crate::triangle::help();", 1);
     std::fs::write(folder.join("nearest_hit.rs"), needing).expect("it is ours");
-    assert_eq!(
-        check(&format!("{right} pub fn help() {{}}")),
-        (Value::Null, true)
-    );
+    let helpful = |text: &str| format!("{text} pub fn help() {{}}");
+    assert_eq!(check(&helpful(&right)), (Value::Null, true));
+    assert_eq!(check_with(1, &helpful(&wrong)), (fails, true));
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::Examiner;
 use crate::assignment::EarlierAnswer;
-use crate::compile::{Program, Replacement};
+use crate::compile::{Program, Replacement, WithOurs};
 use crate::error::Result;
 use crate::goldens::Goldens;
 use crate::outcome::EarlierOutcome;
@@ -10,25 +10,28 @@ use crate::submission::AnswerFileProblem;
 
 impl Examiner<'_> {
     /// The program that casts scenes, and what became of the answer of an earlier assignment. If
-    /// that answer is wrong, scenes are cast with ours.
+    /// that answer is wrong, scenes are cast with ours, unless other answers don't compile with ours.
     pub(super) fn judge_earlier(&self) -> Result<(Program, Option<EarlierOutcome>)> {
         let mut program = self.program.clone();
         let Some(earlier) = &self.assignment.earlier else {
             return Ok((program, None));
         };
         let problem = match program.replaced.get(&earlier.task.name) {
-            None if program.with_ours.is_none() => return Ok((program, None)),
+            None if program.with_ours == WithOurs::Same => return Ok((program, None)),
             None => self.failing_group(earlier)?,
             Some(Replacement::DoesNotCompile(_)) => Some("it does not compile here".into()),
             Some(Replacement::Unusable(AnswerFileProblem::Missing)) => return Ok((program, None)),
             Some(Replacement::Unusable(AnswerFileProblem::Refused(why))) => Some(why.clone()),
         };
-        if let Some(ours) = program.with_ours.take_if(|_| problem.is_some()) {
-            program.executable = ours;
+        if let WithOurs::Executable(ours) = &program.with_ours
+            && problem.is_some()
+        {
+            program.executable = ours.clone();
         }
         let outcome = EarlierOutcome {
             task: earlier.task.name.clone(),
             assignment: earlier.assignment.clone(),
+            is_needed: program.with_ours == WithOurs::DoesNotCompile,
             problem,
         };
         Ok((program, Some(outcome)))

@@ -61,6 +61,12 @@ pub fn earlier_in_words(earlier: &EarlierOutcome) -> String {
             "The scenes are rendered with your {file} from `{}`.",
             earlier.assignment
         ),
+        Some(problem) if earlier.is_needed => format!(
+            "Your {file} from `{}` is wrong: {}. The scenes are rendered with it all the same, because \
+             your other answers don't compile with ours.",
+            earlier.assignment,
+            printable(problem)
+        ),
         Some(problem) => format!(
             "Your {file} from `{}` is not used, because {}. The scenes are rendered with ours instead.",
             earlier.assignment,
