@@ -126,6 +126,22 @@ impl Goldens {
         self.scenes.iter().map(needs).collect()
     }
 
+    /// Refuses a scene whose points everybody would get, because it needs no task.
+    pub fn refuse_scene_without_tasks(&self, assignment: &Assignment) -> Result<()> {
+        let needs = self.needs_of_scenes(assignment)?;
+        let mut all = self.scenes.iter().zip(needs);
+        match all.find(|(_, needs)| needs.is_empty()) {
+            None => Ok(()),
+            Some((scene, _)) => Err(Error::input(
+                format!(
+                    "the scene `{}` needs no answer to any task, so everybody would get its points",
+                    scene.name
+                ),
+                "add an object that an answer is about, such as a mesh, or leave the scene out",
+            )),
+        }
+    }
+
     /// The goldens that single tasks are judged by.
     pub fn judge_of_probes(&self) -> &Goldens {
         self.probes.as_deref().unwrap_or(self)
@@ -207,4 +223,34 @@ fn own(file: PathBuf, worth: u32) -> GoldenScene {
 /// Splits `all` points into `count` shares that differ by at most 1.
 pub fn shares(all: u32, count: u32) -> impl Iterator<Item = u32> {
     (0..count).map(move |k| all / count + u32::from(k < all % count))
+}
+
+#[cfg(test)]
+#[test]
+fn scene_that_needs_no_task_is_refused() {
+    use crate::checkout::Checkout;
+
+    let checkout = Checkout::find().unwrap();
+    let assignment = Assignment::read(&checkout, "bounding_volumes").unwrap();
+    let folder = tempfile::tempdir().expect("there is room");
+    let of = |objects: &str| {
+        for end in ["exr", "tol.exr"] {
+            let film = assignment.golden().join(format!("lone_triangle.{end}"));
+            let copy = folder.path().join(format!("alone.{end}"));
+            fs::copy(film, copy).expect("it is committed");
+        }
+        let scene = assignment.folder.join("scenes/lone_triangle.toml");
+        let scene = fs::read_to_string(scene).expect("it is committed");
+        let (camera, _) = scene.split_once("[[object]]").expect("it has objects");
+        let file = folder.path().join("alone.toml");
+        fs::write(&file, format!("{camera}{objects}")).expect("there is room");
+        let goldens = Goldens::of_scenes(folder.path(), &[file]).expect("they are there");
+        goldens.refuse_scene_without_tasks(&assignment)
+    };
+    let triangle = "[[object]]\ntype = \"triangle\"\ncorners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n";
+    let refused = of(triangle).expect_err("only we answer questions about triangles");
+    assert!(refused.to_string().contains("needs no answer"), "{refused}");
+    let mesh = assignment.folder.join("scenes/meshes/lone_triangle.obj");
+    let soup = format!("[[object]]\ntype = \"soup\"\nobj = {mesh:?}\n");
+    of(&format!("{triangle}{soup}")).expect("the soup needs tasks");
 }

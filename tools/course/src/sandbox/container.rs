@@ -189,7 +189,7 @@ impl Container {
     /// reading.
     fn may(&self, how: &[&str], path: &Path) -> bool {
         how.iter().any(|how| {
-            let mut command = self.confined(&Limits::of_compiler(), Purpose::Answer);
+            let mut command = self.confined(&Limits::of_compiler(), Purpose::Compile);
             command.arg("--read").arg(path);
             let program = "/usr/bin/test";
             command
