@@ -105,7 +105,7 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Found> {
             let error = Error::input(
                 format!("{} cannot be read as a whole: {why}", path.display()),
                 "if it is a class, grade those apart who handed in too much; of an archive, unpack it \
-                 and pass the folder",
+                 and pass the folder, with another --out if the class has been graded before",
             );
             Err(match &over[..] {
                 [] => error,
