@@ -132,7 +132,7 @@ fn examine(
         executable: executable.into(),
         // Cargo has not told which of them are stubs, so any may be.
         stubs: tasks.collect(),
-        with_ours: None,
+        with_ours: Default::default(),
         replaced: Default::default(),
         warnings: Default::default(),
         stop: Default::default(),

@@ -51,9 +51,10 @@ pub struct Program {
 }
 
 /// A program with our answer to the task of an earlier assignment instead of the student's.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub enum WithOurs {
     /// There is no other one, because the student's answer is not used anyway.
+    #[default]
     Same,
     /// This executable.
     Executable(PathBuf),

@@ -7,7 +7,7 @@ use pinhole::ask::{Reply, Stop};
 use super::{Examiner, KnownReplies, Selection};
 use crate::assignment::Assignment;
 use crate::checkout::Checkout;
-use crate::compile::{Program, WithOurs};
+use crate::compile::Program;
 use crate::goldens::Goldens;
 use crate::sandbox::Sandbox;
 use crate::submission::Submission;
@@ -36,7 +36,7 @@ fn everything_withheld_is_asked_last() {
         executable: "/usr/bin/false".into(),
         replaced: Default::default(),
         stubs: BTreeSet::new(),
-        with_ours: WithOurs::Same,
+        with_ours: Default::default(),
         warnings: Default::default(),
         stop: Stop::default(),
     };

@@ -51,7 +51,6 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     let fresh = arguments.fresh.as_ref().map(real).transpose()?;
     let folder = golden.as_ref().unwrap_or(&public);
     let goldens = Goldens::find(folder, &assignment)?;
-    goldens.refuse_scene_without_tasks(&assignment)?;
     replace::refuse_inside(&arguments.paths, out)?;
     let cache = ResultCache::open(out)?;
     let earlier = cache.path(class::ROLL);
@@ -116,6 +115,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
     {
         Manifest::read(folder)?.refuse_changed(folder, &assignment)?;
     }
+    goldens.refuse_scene_without_tasks(&assignment)?;
     let withheld = Withheld {
         scenes: match arguments.golden {
             Some(_) => goldens
