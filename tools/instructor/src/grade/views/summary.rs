@@ -261,7 +261,8 @@ fn words(class: &Class, run: &RunSummary, cache: &ResultCache) -> String {
         text.push_str(&words);
         text.push('\n');
     };
-    line(format!("\ngrades: {}", cache.path("grades.csv").display()));
-    line(format!("class:  {}", cache.path("class.html").display()));
+    let shown = |name| printable(&cache.path(name).display().to_string());
+    line(format!("\ngrades: {}", shown("grades.csv")));
+    line(format!("class:  {}", shown("class.html")));
     text
 }
