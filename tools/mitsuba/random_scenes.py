@@ -2,7 +2,8 @@
 
 The camera is drawn here. The objects come from the assignment: the function
 `objects(rng, view)` in its `questions/random_scene.py` gives the tables of a scene
-file's objects. Numbers are written to four decimals.
+file's objects. The table of a soup holds `triangles`, shape (n, 3, 3), which become a mesh
+beside the scene file. Numbers are written to four decimals.
 """
 
 from dataclasses import dataclass
@@ -49,8 +50,12 @@ def render_random(assignment, seed, index, folder):
     draw_objects = questions_of(assignment, "random_scene").objects
     for _ in range(TRIES):
         camera, view = _camera(rng)
-        tables = [("[camera]", camera)]
-        tables += [("[[object]]", table) for table in draw_objects(rng, view)]
+        objects = draw_objects(rng, view)
+        meshes = [table for table in objects if "triangles" in table]
+        for k, table in enumerate(meshes):
+            table["obj"] = f"{name}_{k}.obj"
+            (scenes / table["obj"]).write_text(_obj(table.pop("triangles")), encoding="utf-8")
+        tables = [("[camera]", camera), *(("[[object]]", table) for table in objects)]
         head = f"# Random scene {index}: made by tools/mitsuba/golden.py, not by hand."
         path.write_text("\n\n".join([head, *map(_toml, tables)]) + "\n", encoding="utf-8")
         try:
@@ -59,7 +64,8 @@ def render_random(assignment, seed, index, folder):
         except SceneError as error:
             problem = error
             continue
-        return report | {"files": [*report["files"], f"scenes/{path.name}"]}
+        files = [path.name, *(table["obj"] for table in meshes)]
+        return report | {"files": [*report["files"], *(f"scenes/{file}" for file in files)]}
     path.unlink()
     raise SceneError(f"{path}: refused {TRIES} times, last: {problem}")
 
@@ -109,3 +115,10 @@ def _value(value):
     if np.ndim(value) == 0:
         return f"{value:.4f}"
     return "[" + ", ".join(map(_value, value)) + "]"
+
+
+def _obj(triangles):
+    """A mesh file of triangles that share no vertex."""
+    vertices = ["v " + " ".join(map(_value, vertex)) for vertex in triangles.reshape(-1, 3)]
+    faces = [f"f {k} {k + 1} {k + 2}" for k in range(1, len(vertices), 3)]
+    return "\n".join(vertices + faces) + "\n"

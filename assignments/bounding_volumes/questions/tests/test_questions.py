@@ -7,12 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import float64_caster as caster
+import judge
 from chance import generator
 from fresh_questions import Strata
 from kinds import tree
 from kinds.ray_box import ENDLESS
 from kinds.tree_search import ROUNDING
 from question_films import draw, questions_of
+from random_scenes import render_random
+from scene import load
 
 ASSIGNMENT = Path(__file__).parents[2]
 TASKS = tomllib.loads((ASSIGNMENT / "assignment.toml").read_text())["task"]
@@ -178,3 +182,14 @@ def test_fresh_questions_can_be_drawn(task):
             strata.begin()
             question = draw_question(strata)
             assert question is None or question.answer() is None or len(question.values())
+
+
+@pytest.mark.parametrize("seed", (1, 2, 3))
+def test_a_right_caster_passes_random_scenes(seed, tmp_path):
+    report = render_random(ASSIGNMENT, seed, 0, tmp_path)
+    assert all((tmp_path / file).is_file() for file in report["files"])
+    scene = load(tmp_path / "scenes" / f"{report['name']}.toml")
+    assert any(len(thing.corners) > 1 for thing in scene.objects), "no object needs a tree"
+    rays = caster.scene_rays(scene.camera)
+    film = caster.cast(scene.objects, *rays, scene.camera.min_t)
+    assert judge.failing(film, tmp_path, report["name"]) == 0
