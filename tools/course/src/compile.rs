@@ -373,10 +373,12 @@ pub enum Attempt {
 }
 
 /// The folder of the answer files, as a path that opens from the current folder. `None` for an
-/// archive, or if the compiler's option cannot hold the path.
+/// archive, or if the compiler's option or the terminal cannot hold the path.
 fn place_from_here(submission: &Submission) -> Option<String> {
     let place = shell::from_here(&submission.place);
-    let name = place.to_str().filter(|name| !name.contains('='))?;
+    // The compiler's colours reach the terminal, so nothing else may look like them.
+    let is_plain = |name: &&str| !name.contains(|it: char| it == '=' || it.is_control());
+    let name = place.to_str().filter(is_plain)?;
     submission.place.is_dir().then(|| name.to_owned())
 }
 
@@ -455,5 +457,25 @@ mod tests {
             )
         };
         assert_eq!(replaced(&[clash, clash], false).len(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn no_folder_that_could_change_the_terminal_is_named() {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let above = tempfile::tempdir().expect("there is room");
+        let is_named = |name: &str| {
+            let folder = above.path().join(name);
+            std::fs::create_dir(&folder).expect("there is room");
+            let answer = folder.join(assignment.tasks[0].file());
+            std::fs::write(answer, "").expect("there is room");
+            let submission = Submission::find(&folder, &assignment).unwrap();
+            place_from_here(&submission).is_some()
+        };
+        assert!(is_named("ada"));
+        assert!(!is_named("a=b"));
+        assert!(!is_named("\u{1b}[8meve"));
     }
 }
