@@ -236,10 +236,10 @@ fn tests_that_are_counted_have_heat_maps_on_one_scale() {
         &[&["--assignment", "bounding_volumes"][..], &picked].concat(),
     );
     let browser = Browser::open(&page);
-    // Three groups have too many tests: for each, what is enough and what was taken.
+    // Four groups have too many tests: for each, what is enough and what was taken.
     let shown = |what: &str| browser.value(&format!("document.querySelectorAll('{what}').length"));
-    assert_eq!(shown("#task-0 .heat"), 3);
-    assert_eq!(shown("#task-0 .heat .stills img"), 6);
+    assert_eq!(shown("#task-0 .heat"), 4);
+    assert_eq!(shown("#task-0 .heat .stills img"), 8);
     assert_eq!(shown(".costs .heat .stills img"), 2);
     assert_eq!(
         browser.value(
@@ -247,7 +247,7 @@ fn tests_that_are_counted_have_heat_maps_on_one_scale() {
         ),
         true
     );
-    // The last of the three takes more than twice as many tests as are needed.
+    // The last of the four takes more than twice as many tests as are needed.
     let last = "[...document.querySelectorAll('#task-0 .heat')].at(-1)";
     let sums = browser.text(&format!("{last}.querySelector('.stills').innerText"));
     let [expected, yours] = numbers(&sums)[..] else {
