@@ -259,8 +259,8 @@ impl Compiler {
                     mut executable,
                     mut warnings,
                 } => {
-                    // Some may only use another answer that has been replaced since, or that they
-                    // clash with.
+                    // An answer may be blamed only because it uses, or clashes with, another one
+                    // that has been replaced since.
                     let doubtful = match all_blamed.len() {
                         0 | 1 => Vec::new(),
                         _ => std::mem::take(&mut all_blamed),
