@@ -326,7 +326,7 @@ impl Compiler {
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, submission, &replaced);
                     if blamed.is_empty() || is_last {
-                        blamed = match blame::alone(submission, &replaced, compile)? {
+                        blamed = match blame::apart(submission, &replaced, compile)? {
                             _ if late.get() => return Ok(Attempt::Late),
                             Some(blamed) => blamed,
                             None => return Err(blame::not_theirs(&diagnostics)),
@@ -441,6 +441,16 @@ mod tests {
         let edits: [fn(&str) -> String; 2] = [
             |text| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1),
             |text| format!("{text}\n#[allow(unused)]\nuse crate::viewing_ray::viewing_ray;"),
+        ];
+        assert_eq!(replaced(&edits, false), [0]);
+    }
+
+    #[test]
+    fn answers_that_need_each_other_are_not_to_blame_for_a_third() {
+        let edits: [fn(&str) -> String; 3] = [
+            |text| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1),
+            |text| format!("{text}\npub fn a() {{ crate::plane::b() }}"),
+            |text| format!("{text}\npub fn b() {{ crate::sphere::a() }}"),
         ];
         assert_eq!(replaced(&edits, false), [0]);
     }

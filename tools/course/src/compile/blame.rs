@@ -73,7 +73,7 @@ impl Diagnostic {
 }
 
 /// Errors by the answer that they point at. An error that points at several answers is attributed
-/// to none; compiling each of these among stubs shows which one is wrong.
+/// to none; compiling the others without each of these shows which one is wrong.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,
@@ -156,39 +156,49 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
     )
 }
 
-/// The answers that do not compile even when all others are stubs. This finds the cause of an
-/// error that shows in one of our files, such as a deleted function or `impl`.
+/// The answers that keep the others from compiling. This finds the cause of an error that shows in
+/// one of our files, such as a deleted function or `impl`, or that points at several answers.
 ///
 /// If the stubs alone don't compile either, no answer is to blame, but the machine or we are. Then
-/// the result is `None`. If each answer compiles alone, all are tried together once more, because
-/// the compiler may have been killed the first time, and blamed only if they fail again.
-pub fn alone(
+/// the result is `None`. All answers are tried together once more, because the compiler may have been
+/// killed the first time. Then each is left out alone. If that never helps, several are to blame:
+/// those that don't compile among stubs, or, if each of them does, all.
+pub fn apart(
     submission: &Submission,
     already: &Replacements,
     compile: impl Fn(&Replacements) -> Result<BuildResult>,
 ) -> Result<Option<Replacements>> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
-    let stubs: Replacements = tasks
-        .map(|task| (task, Replacement::Unusable(AnswerFileProblem::Missing)))
-        .collect();
+    let missing = || Replacement::Unusable(AnswerFileProblem::Missing);
+    let stubs: Replacements = tasks.map(|task| (task, missing())).collect();
     if let BuildResult::Refused { .. } = compile(&stubs)? {
         return Ok(None);
     }
-    let mut blamed = Replacements::new();
+    let BuildResult::Refused { diagnostics, .. } = compile(already)? else {
+        return Ok(Some(Replacements::new()));
+    };
+    let blame = |task: &String, diagnostics: &[Diagnostic]| {
+        let text = rendered(diagnostics);
+        (task.clone(), Replacement::DoesNotCompile(text))
+    };
     let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
+    for suspect in suspects() {
+        let mut without = already.clone();
+        without.insert(suspect.clone(), missing());
+        if let BuildResult::Program { .. } = compile(&without)? {
+            return Ok(Some([blame(suspect, &diagnostics)].into()));
+        }
+    }
+    let mut blamed = Replacements::new();
     for suspect in suspects() {
         let mut others = stubs.clone();
         others.remove(suspect);
         if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
-            let text = rendered(&diagnostics);
-            blamed.insert(suspect.clone(), Replacement::DoesNotCompile(text));
+            blamed.extend([blame(suspect, &diagnostics)]);
         }
     }
-    if blamed.is_empty() && matches!(compile(already)?, BuildResult::Refused { .. }) {
-        let text = "this answer compiles alone, but not together with the others\n";
-        blamed.extend(
-            suspects().map(|task| (task.clone(), Replacement::DoesNotCompile(text.into()))),
-        );
+    if blamed.is_empty() {
+        blamed.extend(suspects().map(|suspect| blame(suspect, &diagnostics)));
     }
     Ok(Some(blamed))
 }
@@ -251,10 +261,10 @@ mod tests {
                     },
                 })
             };
-            let blamed = alone(&submission, &Replacements::new(), compile).unwrap();
+            let blamed = apart(&submission, &Replacements::new(), compile).unwrap();
             blamed.expect("the stubs compile").len()
         };
         assert_eq!(blamed(true), 0);
-        assert_eq!(blamed(false), submission.answers.len());
+        assert_eq!(blamed(false), 1);
     }
 }
