@@ -48,7 +48,7 @@ fn is_formulas(c: char) -> bool {
     "=+-@|＝＋－＠｜".contains(c)
 }
 
-/// The compiler's messages, line by line. Colours are kept.
+/// The compiler's messages, line by line. Its colours are kept, but no code that hides text.
 pub fn printable_coloured(text: &str) -> String {
     text.lines()
         .map(|line| printable_coloured_line(line) + "\n")
@@ -59,14 +59,21 @@ fn printable_coloured_line(line: &str) -> String {
     let mut safe = String::new();
     for (k, part) in line.split('\u{1b}').enumerate() {
         let colour = part.strip_prefix('[').and_then(|rest| rest.split_once('m'));
-        let is_code = |code: &str| code.chars().all(|c| c.is_ascii_digit() || c == ';');
-        match colour.filter(|(code, _)| k > 0 && is_code(code)) {
+        let is_kept = |code: &str| match code.as_bytes() {
+            b"0" | b"1" => true,
+            [b'3' | b'9', colour] => (b'1'..=b'7').contains(colour),
+            _ => false,
+        };
+        match colour.filter(|(code, _)| k > 0 && is_kept(code)) {
             Some((code, rest)) => {
                 safe.push_str(&format!("\u{1b}[{code}m"));
                 safe.push_str(&printable(rest));
             }
             None => safe.push_str(&printable(part)),
         }
+    }
+    if safe.contains('\u{1b}') {
+        safe.push_str("\u{1b}[0m");
     }
     safe
 }
@@ -173,8 +180,8 @@ mod tests {
     #[test]
     fn compilers_text_keeps_its_lines_and_colours_and_nothing_else() {
         assert_eq!(
-            printable_coloured("\u{1b}[1;31merror\u{1b}[0m\n\u{1b}[2J\u{1b}]0;title\u{7}"),
-            "\u{1b}[1;31merror\u{1b}[0m\n[2J]0;title\\u{7}\n"
+            printable_coloured("\u{1b}[1m\u{1b}[91merror\n\u{1b}[8m\u{1b}[2J\u{1b}]0;title\u{7}"),
+            "\u{1b}[1m\u{1b}[91merror\u{1b}[0m\n[8m[2J]0;title\\u{7}\n"
         );
     }
 }

@@ -93,7 +93,7 @@ mod tests {
         let words = in_words(&Error::input(problem, "fix it"));
         assert_eq!(
             words,
-            "pinhole: \u{1b}[31merror\u{1b}[0m: ]52;c;eA==\\u{7}\\u{202e}\nnot compiled\n  \
+            "pinhole: \u{1b}[31merror\u{1b}[0m: ]52;c;eA==\\u{7}\\u{202e}\u{1b}[0m\nnot compiled\n  \
              remedy: fix it\n"
         );
     }

@@ -275,7 +275,8 @@ fn allowed() -> Result<Rules, BackendError> {
     rules.insert(libc::SYS_recvfrom, vec![with_flags(3, !0, 0)?]);
     let signal = libc::MSG_NOSIGNAL;
     rules.insert(libc::SYS_sendto, vec![with_flags(3, !signal, 0)?]);
-    // Not by path: the kernel gives a file in `/proc` the time when somebody first looked for it.
+    // With this flag, the path is usually empty. By path, safe code could read when somebody first
+    // looked for a file in `/proc`.
     let by_descriptor = libc::AT_EMPTY_PATH;
     rules.insert(
         libc::SYS_newfstatat,
