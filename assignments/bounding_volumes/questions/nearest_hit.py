@@ -42,12 +42,12 @@ def one_leaf(rng):
 
 
 def few(rng):
-    """Trees of ten to twenty leaves; in one of four, all triangles lie in a plane parallel to two
-    axes, so that every box is flat. With fewer leaves, testing all triangles would be a good search."""
+    """Small trees; in one of four, all triangles lie in a plane parallel to two axes, so that every
+    box is flat. With fewer leaves, testing all of them would be a good search."""
     corners = triangles(rng, rng.integers(17, 33), 4, 0.8)
     if rng.uniform() < 0.25:
         corners[..., rng.integers(3)] = rng.uniform(-1, 1)
-    return through(rng, corners)
+    return through(rng, corners, largest=1)
 
 
 def many(rng):
@@ -57,7 +57,7 @@ def many(rng):
 
 def overlapping(rng):
     """Boxes that overlap: the nearest triangle is often not in the box entered first."""
-    return through(rng, triangles(rng, rng.integers(30, 65), 1, 0.5))
+    return through(rng, triangles(rng, rng.integers(40, 65), 1, 0.5), largest=1)
 
 
 def min_t(rng):
