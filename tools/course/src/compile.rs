@@ -332,7 +332,9 @@ impl Compiler {
                             None => return Err(blame::not_theirs(&diagnostics)),
                         };
                     }
-                    all_blamed.extend(blamed.keys().cloned());
+                    if blame::has_place(&diagnostics) {
+                        all_blamed.extend(blamed.keys().cloned());
+                    }
                     replaced.extend(blamed);
                 }
             }

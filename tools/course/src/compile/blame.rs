@@ -26,6 +26,12 @@ pub fn has_error(diagnostics: &[Diagnostic]) -> bool {
         .any(|diagnostic| diagnostic.level == "error")
 }
 
+/// Whether any error points at code. If none does, the compiler was stopped or has crashed.
+pub fn has_place(diagnostics: &[Diagnostic]) -> bool {
+    let mut errors = diagnostics.iter().filter(|it| it.level == "error");
+    errors.any(|error| !error.spans.is_empty())
+}
+
 /// Whether the compiler or the linker had no room for its files. The text of a submission appears only
 /// in messages that point at it.
 pub fn has_no_space(diagnostics: &[Diagnostic]) -> bool {
@@ -161,8 +167,9 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
 ///
 /// If the stubs alone don't compile either, no answer is to blame, but the machine or we are. Then
 /// the result is `None`. All answers are tried together once more, because the compiler may have been
-/// killed the first time. Then each is left out alone. If that never helps, several are to blame:
-/// those that don't compile among stubs, or, if each of them does, all.
+/// killed the first time. Then each is left out alone, unless the compiler was stopped, which may take
+/// long each time. If that never helps, several are to blame: those that don't compile among stubs, or,
+/// if each of them does, all.
 pub fn apart(
     submission: &Submission,
     already: &Replacements,
@@ -182,7 +189,7 @@ pub fn apart(
         (task.clone(), Replacement::DoesNotCompile(text))
     };
     let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
-    for suspect in suspects() {
+    for suspect in suspects().filter(|_| has_place(&diagnostics)) {
         let mut without = already.clone();
         without.insert(suspect.clone(), missing());
         if let BuildResult::Program { .. } = compile(&without)? {
@@ -265,6 +272,6 @@ mod tests {
             blamed.expect("the stubs compile").len()
         };
         assert_eq!(blamed(true), 0);
-        assert_eq!(blamed(false), 1);
+        assert_eq!(blamed(false), submission.answers.len());
     }
 }
