@@ -45,7 +45,7 @@ pub fn while_compiling(mode: &str, user: u32, limits: &Limits) -> String {
 }
 
 /// The calls of the probe that answers may not make.
-const UNKNOWN: [&str; 37] = [
+const UNKNOWN: [&str; 42] = [
     "ptrace",
     "clone a namespace",
     "add a filter",
@@ -69,9 +69,14 @@ const UNKNOWN: [&str; 37] = [
     "lock",
     "store a number",
     "ask for addresses",
+    "look at a file",
+    "look at a file by its old name",
     "look at a link",
     "look at a link by its old name",
     "look at a link by its new name",
+    "ask whether there is a file",
+    "send a byte out of order",
+    "look at what was sent",
     "store an attribute",
     "cut a file",
     "make a timer",
