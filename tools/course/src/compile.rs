@@ -53,7 +53,7 @@ pub struct Program {
 /// A program with our answer to the task of an earlier assignment instead of the student's.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum WithOurs {
-    /// There is no other one, because the student's answer is not used anyway.
+    /// No such program is needed, because the student's answer is not used.
     #[default]
     Same,
     /// This executable.
