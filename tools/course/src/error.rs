@@ -29,7 +29,7 @@ pub enum Fault {
 }
 
 /// The result of everything in this package that can fail.
-pub type Result<T> = std::result::Result<T, Error>;
+pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
     /// A file or an argument is wrong.

@@ -6,8 +6,9 @@ use std::path::Path;
 use serde::Deserialize;
 
 use super::build::BuildResult;
+use super::rounds::Stopped;
 use super::{Replacement, Replacements};
-use crate::error::{Error, Result};
+use crate::error::Error;
 use crate::sandbox::CommandResult;
 use crate::submission::{AnswerFileProblem, Submission};
 
@@ -173,8 +174,8 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
 pub fn apart(
     submission: &Submission,
     already: &Replacements,
-    compile: impl Fn(&Replacements) -> Result<BuildResult>,
-) -> Result<Option<Replacements>> {
+    compile: impl Fn(&Replacements) -> Result<BuildResult, Stopped>,
+) -> Result<Option<Replacements>, Stopped> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
     let missing = || Replacement::Unusable(AnswerFileProblem::Missing);
     let stubs: Replacements = tasks.map(|task| (task, missing())).collect();
@@ -268,8 +269,10 @@ mod tests {
                     },
                 })
             };
-            let blamed = apart(&submission, &Replacements::new(), compile).unwrap();
-            blamed.expect("the stubs compile").len()
+            let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), compile) else {
+                panic!("the stubs compile")
+            };
+            blamed.len()
         };
         assert_eq!(blamed(true), 0);
         assert_eq!(blamed(false), submission.answers.len());

@@ -1,0 +1,421 @@
+//! Compiles one submission in several rounds, until the answers that are left compile.
+
+use std::collections::BTreeSet;
+use std::mem;
+use std::path::{Path, PathBuf};
+
+use pinhole::ask::Stop;
+
+use super::blame::{self, Diagnostic};
+use super::build::{self, BuildResult, Sources, build};
+use super::{Attempt, Compiler, Program, Replacement, Replacements, WithOurs};
+use crate::error::{Error, Result};
+use crate::handout_record::Package;
+use crate::shell;
+use crate::stubs;
+use crate::submission::allow_list::{self, Verdict};
+use crate::submission::{Answer, AnswerFileProblem, Submission};
+use crate::timings::timed;
+
+/// One submission, and what compiles it.
+pub struct Rounds<'a> {
+    compiler: &'a Compiler,
+    submission: &'a Submission,
+    /// The folder of the answers, as messages name it.
+    shown_in: String,
+}
+
+/// Why a run of the compiler has no result.
+pub enum Stopped {
+    /// It was late.
+    Late,
+    /// It could not run.
+    Failed(Error),
+}
+
+impl From<Error> for Stopped {
+    fn from(error: Error) -> Stopped {
+        Stopped::Failed(error)
+    }
+}
+
+/// A program, and what the compiler warned about.
+type Built = (PathBuf, Vec<Diagnostic>);
+
+impl<'a> Rounds<'a> {
+    pub fn new(compiler: &'a Compiler, submission: &'a Submission) -> Rounds<'a> {
+        let shown_in = match compiler.names_places {
+            true => place_from_here(submission),
+            false => None,
+        };
+        Rounds {
+            compiler,
+            submission,
+            shown_in: shown_in.unwrap_or(build::SRC.into()),
+        }
+    }
+
+    /// See [`Compiler::compile_until`]; `is_done` says whether the time is up.
+    pub fn attempt(
+        &self,
+        is_done: &dyn Fn() -> bool,
+        enough: &mut dyn FnMut(&Replacements) -> bool,
+    ) -> Result<Attempt> {
+        match self.run(is_done, enough) {
+            Ok(attempt) => Ok(attempt),
+            Err(Stopped::Late) => Ok(Attempt::Late),
+            Err(Stopped::Failed(error)) => Err(error),
+        }
+    }
+
+    fn run(
+        &self,
+        is_done: &dyn Fn() -> bool,
+        enough: &mut dyn FnMut(&Replacements) -> bool,
+    ) -> Result<Attempt, Stopped> {
+        let (mut replaced, mut unclear) = self.refused_unread();
+        let mut is_last = false;
+        let mut blamed_so_far = BTreeSet::new();
+        // Each round replaces at least one answer, except the last one, and one after a compiler that
+        // failed for no answer's fault. So there are at most this many rounds.
+        for _ in 0..self.submission.answers.len() + 2 {
+            if enough(&replaced) {
+                return Ok(Attempt::Enough);
+            }
+            // Each round may take nearly as long as the limit for one run of the compiler, so
+            // only two begin after the time is up: one to find all answers that don't compile,
+            // and one without them.
+            let was_last = is_last;
+            is_last = is_done();
+            if is_last && self.compiler.stops_when_late {
+                return Err(Stopped::Late);
+            }
+            match self.compile(&replaced)? {
+                BuildResult::Program {
+                    executable,
+                    warnings,
+                } => {
+                    let blamed = mem::take(&mut blamed_so_far);
+                    let mut built = (executable, warnings);
+                    self.restore(&blamed, &mut replaced, &mut built, is_done)?;
+                    unclear.retain(|task| !replaced.contains_key(*task));
+                    if unclear.is_empty() {
+                        return Ok(Attempt::Program(self.program(built, replaced)?));
+                    }
+                    let tasks = unclear.drain(..);
+                    replaced.extend(tasks.map(|task| (task.clone(), unclear_tokens(task))));
+                }
+                BuildResult::Refused { .. } if was_last => {
+                    replaced.extend(blame::all(self.submission, &replaced));
+                }
+                BuildResult::Refused { diagnostics, .. } => {
+                    let mut blamed = blame::by_place(&diagnostics, self.submission, &replaced);
+                    if blamed.is_empty() || is_last {
+                        let compile = |replaced: &Replacements| self.compile(replaced);
+                        blamed = blame::apart(self.submission, &replaced, compile)?
+                            .ok_or_else(|| blame::not_theirs(&diagnostics))?;
+                    }
+                    if blame::has_place(&diagnostics) {
+                        blamed_so_far.extend(blamed.keys().cloned());
+                    }
+                    replaced.extend(blamed);
+                }
+            }
+        }
+        let wrong = "the stubs do not compile";
+        let remedy = "restore the assignment's `reference` folder, which they are made from";
+        Err(Error::environment(wrong, remedy).into())
+    }
+
+    /// The answers that are refused before the compiler reads them, and the tasks of those that are
+    /// refused only if the compiler can read them.
+    fn refused_unread(&self) -> (Replacements, Vec<&'a String>) {
+        let mut replaced = Replacements::new();
+        let mut unclear = Vec::new();
+        for Answer { task, text } in &self.submission.answers {
+            let why = match text {
+                Err(unusable) => Replacement::Unusable(unusable.clone()),
+                Ok(_) if self.compiler.allows_everything => continue,
+                Ok(text) => {
+                    match allow_list::verdict(&format!("{}/{task}.rs", self.shown_in), text) {
+                        Verdict::Allowed => continue,
+                        Verdict::Refused(why) => Replacement::DoesNotCompile(why),
+                        Verdict::NotTokens => {
+                            unclear.push(task);
+                            continue;
+                        }
+                    }
+                }
+            };
+            replaced.insert(task.clone(), why);
+        }
+        (replaced, unclear)
+    }
+
+    /// Runs the compiler once, unless it has compiled the same files before.
+    fn compile(&self, replaced: &Replacements) -> Result<BuildResult, Stopped> {
+        let Compiler {
+            programs,
+            harness,
+            sandbox,
+            pristine,
+            stops_when_late,
+            ..
+        } = self.compiler;
+        let sources = timed("assemble", || sources(self.submission, pristine, replaced));
+        match build(&sources, &self.shown_in, programs, harness, sandbox)? {
+            BuildResult::Refused { is_late: true, .. } if *stops_when_late => Err(Stopped::Late),
+            BuildResult::Refused {
+                disturbed_by: Some(why),
+                ..
+            } if !stops_when_late => Err(Error::environment(
+                why,
+                "run this command again when the machine is less busy and has free space",
+            )
+            .into()),
+            built => Ok(built),
+        }
+    }
+
+    /// Tries blamed answers again while there is time. An answer may have been blamed only because it
+    /// uses, or clashes with, another one that was replaced later. Answers that use each other can only
+    /// return together.
+    fn restore(
+        &self,
+        blamed: &BTreeSet<String>,
+        replaced: &mut Replacements,
+        built: &mut Built,
+        is_done: &dyn Fn() -> bool,
+    ) -> Result<(), Stopped> {
+        if blamed.len() < 2 {
+            return Ok(());
+        }
+        for task in blamed {
+            let alone = BTreeSet::from([task.clone()]);
+            let with_used = self.with_used(task, blamed);
+            for tasks in BTreeSet::from([alone, with_used]) {
+                if is_done() {
+                    return Ok(());
+                }
+                let mut fewer = replaced.clone();
+                fewer.retain(|task, _| !tasks.contains(task));
+                if fewer.len() == replaced.len() {
+                    continue;
+                }
+                if let BuildResult::Program {
+                    executable,
+                    warnings,
+                } = self.compile(&fewer)?
+                {
+                    *built = (executable, warnings);
+                    *replaced = fewer;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// A task, and those among `tasks` whose answers its answer seems to use, directly or not.
+    fn with_used(&self, task: &str, tasks: &BTreeSet<String>) -> BTreeSet<String> {
+        let mut all = BTreeSet::from([task.to_owned()]);
+        let mut new = vec![task.to_owned()];
+        while let Some(task) = new.pop() {
+            let text = self
+                .submission
+                .answer(&task)
+                .and_then(|it| it.text.as_ref().ok());
+            let is_used =
+                |other: &&String| text.is_some_and(|it| it.contains(&format!("{other}::")));
+            for used in tasks.iter().filter(is_used) {
+                if all.insert(used.clone()) {
+                    new.push(used.clone());
+                }
+            }
+        }
+        all
+    }
+
+    fn program(&self, built: Built, replaced: Replacements) -> Result<Program, Stopped> {
+        let (executable, warnings) = built;
+        let stubs = self.submission.answers.iter();
+        let stubs = stubs.filter(|answer| self.is_stub(answer, &replaced));
+        Ok(Program {
+            executable,
+            stubs: stubs.map(|answer| answer.task.clone()).collect(),
+            with_ours: self.with_ours(&replaced)?,
+            warnings: blame::warnings(&warnings, self.submission, &replaced),
+            replaced,
+            stop: Stop::default(),
+        })
+    }
+
+    /// Compiles the program with our answer to the task of an earlier assignment.
+    fn with_ours(&self, replaced: &Replacements) -> Result<WithOurs, Stopped> {
+        let is_theirs = |task: &&String| {
+            self.submission.answer(task).is_some() && !replaced.contains_key(*task)
+        };
+        let Some(task) = self.compiler.earlier.as_ref().filter(is_theirs) else {
+            return Ok(WithOurs::Same);
+        };
+        let missing = Replacement::Unusable(AnswerFileProblem::Missing);
+        let mut ours = replaced.clone();
+        ours.insert(task.clone(), missing);
+        Ok(match self.compile(&ours)? {
+            BuildResult::Program { executable, .. } => WithOurs::Executable(executable),
+            BuildResult::Refused { .. } => WithOurs::DoesNotCompile,
+        })
+    }
+
+    /// Whether an answer was replaced by its stub, or is the stub apart from comments and spaces.
+    fn is_stub(&self, answer: &Answer, replaced: &Replacements) -> bool {
+        let file = Path::new("src").join(format!("{}.rs", answer.task));
+        let is_given = |text: &String| {
+            let given = self.compiler.pristine.get(&file);
+            given.is_some_and(|given| stubs::is_unchanged(given, text))
+        };
+        replaced.contains_key(&answer.task) || answer.text.as_ref().is_ok_and(is_given)
+    }
+}
+
+/// Refuses an answer that the compiler can split into tokens, but we can't.
+fn unclear_tokens(task: &str) -> Replacement {
+    Replacement::DoesNotCompile(format!(
+        "error: src/{task}.rs holds characters that Pinhole can't read as Rust\n  = help: write \
+         plain Rust 2024\n"
+    ))
+}
+
+/// The folder of the answer files, as a path that opens from the current folder. `None` for an
+/// archive, or if the compiler's option or the terminal cannot hold the path.
+fn place_from_here(submission: &Submission) -> Option<String> {
+    let place = shell::from_here(&submission.place);
+    // The compiler's colours reach the terminal, so nothing else may look like them.
+    let is_plain = |name: &&str| !name.contains(|it: char| it == '=' || it.is_control());
+    let name = place.to_str().filter(is_plain)?;
+    submission.place.is_dir().then(|| name.to_owned())
+}
+
+/// The fixed files, and each answer or its stub.
+fn sources(submission: &Submission, pristine: &Package, replaced: &Replacements) -> Sources {
+    let ours = pristine.iter().filter_map(|(path, text)| {
+        let name = path.strip_prefix("src").ok()?.to_str()?;
+        Some((name.to_owned(), text.clone()))
+    });
+    let mut sources: Sources = ours.collect();
+    for answer in submission
+        .answers
+        .iter()
+        .filter(|answer| !replaced.contains_key(&answer.task))
+    {
+        if let Ok(text) = &answer.text {
+            sources.insert(format!("{}.rs", answer.task), text.clone());
+        }
+    }
+    sources
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assignment::Assignment;
+    use crate::checkout::Checkout;
+    use crate::sandbox::Sandbox;
+
+    /// Which of the reference's answers are replaced when the first ones are edited like this, by their
+    /// positions.
+    fn replaced(edits: &[fn(&str) -> String], is_done: bool) -> Vec<usize> {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let mut submission = Submission::find(&assignment.reference(), &assignment).unwrap();
+        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
+            let text = answer.text.as_ref();
+            answer.text = text.map(|text| edit(text)).map_err(Clone::clone);
+        }
+        let compiler = Compiler::new(&assignment, &checkout, &Sandbox::Trusted).unwrap();
+        let rounds = Rounds::new(&compiler, &submission);
+        let attempt = rounds.attempt(&|| is_done, &mut |_| false);
+        let Ok(Attempt::Program(program)) = attempt else {
+            panic!("a program without the bad answers")
+        };
+        let answers = submission.answers.iter().enumerate();
+        let replaced = answers.filter(|(_, it)| program.replaced.contains_key(&it.task));
+        replaced.map(|(position, _)| position).collect()
+    }
+
+    #[test]
+    fn answers_that_compile_stay_when_others_have_used_up_the_time() {
+        let edits: [fn(&str) -> String; 3] = [
+            |_| String::new(),
+            |text| text.replacen("fn ", "fn fn ", 1),
+            |text| format!("{text}\nfn f() {{ unknown() }}"),
+        ];
+        assert_eq!(replaced(&edits, true), [0, 1, 2]);
+    }
+
+    #[test]
+    fn answer_that_uses_another_one_is_not_to_blame_for_it() {
+        let edits: [fn(&str) -> String; 2] = [
+            |text| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1),
+            |text| format!("{text}\n#[allow(unused)]\nuse crate::viewing_ray::viewing_ray;"),
+        ];
+        assert_eq!(replaced(&edits, false), [0]);
+    }
+
+    #[test]
+    fn answers_that_need_each_other_are_not_to_blame_for_a_third() {
+        let edits: [fn(&str) -> String; 3] = [
+            |text| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1),
+            |text| format!("{text}\npub fn a() {{ crate::plane::b() }}"),
+            |text| format!("{text}\npub fn b() {{ crate::sphere::a() }}"),
+        ];
+        assert_eq!(replaced(&edits, false), [0]);
+    }
+
+    #[test]
+    fn answers_that_need_each_other_are_not_to_blame_for_two_others() {
+        let renamed = |text: &str| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1);
+        let no_impl = |text: &str| text.split("impl IntersectRay").next().unwrap().to_owned();
+        let edits: [fn(&str) -> String; 4] = [
+            renamed,
+            |text| format!("{text}\npub fn a() {{ crate::plane::b() }}"),
+            |text| format!("{text}\npub fn b() {{ crate::sphere::a() }}"),
+            no_impl,
+        ];
+        assert_eq!(replaced(&edits, false), [0, 3]);
+    }
+
+    #[test]
+    fn only_one_of_two_answers_that_clash_is_replaced() {
+        let clash = |text: &str| {
+            format!(
+                "{text}\nimpl crate::intersect_ray::IntersectRay for () {{
+                    fn intersect_ray(&self, _: &pinhole::Ray, _: f64) -> Option<pinhole::Intersection> {{
+                        None
+                    }}
+                }}"
+            )
+        };
+        assert_eq!(replaced(&[clash, clash], false).len(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn no_folder_that_could_change_the_terminal_is_named() {
+        let checkout = Checkout::find().unwrap();
+        let name = checkout.default_assignment().unwrap();
+        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let above = tempfile::tempdir().expect("there is room");
+        let is_named = |name: &str| {
+            let folder = above.path().join(name);
+            std::fs::create_dir(&folder).expect("there is room");
+            let answer = folder.join(assignment.tasks[0].file());
+            std::fs::write(answer, "").expect("there is room");
+            let submission = Submission::find(&folder, &assignment).unwrap();
+            place_from_here(&submission).is_some()
+        };
+        assert!(is_named("ada"));
+        assert!(!is_named("a=b"));
+        assert!(!is_named("\u{1b}[8meve"));
+    }
+}
