@@ -177,7 +177,7 @@ fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
         "--crate-type=bin",
         "--crate-name=submission",
     ]);
-    rustc.args(["-Copt-level=2", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
+    rustc.args(["-Copt-level=3", "-Ccodegen-units=1", "-Cstrip=debuginfo"]);
     // With overflow checks, an `i - 1` that would wrap around panics and names its line,
     // instead of producing a wrong picture.
     rustc.args(["-Coverflow-checks=on", "-Funsafe_code"]);
