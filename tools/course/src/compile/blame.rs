@@ -169,11 +169,13 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
 /// If the stubs alone don't compile either, no answer is to blame, but the machine or we are. Then
 /// the result is `None`. All answers are tried together once more, because the compiler may have been
 /// killed the first time. Then each is left out alone, unless the compiler was stopped, which may take
-/// long each time. If that never helps, several are to blame: those that don't compile among stubs, or,
-/// if each of them does, all.
+/// long each time. The one whose task is `worthless` comes first, because leaving it out costs no
+/// points. If that never helps, several are to blame: those that don't compile among stubs, or, if each
+/// of them does, all.
 pub fn apart(
     submission: &Submission,
     already: &Replacements,
+    worthless: Option<&String>,
     compile: impl Fn(&Replacements) -> Result<BuildResult, Stopped>,
 ) -> Result<Option<Replacements>, Stopped> {
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
@@ -189,16 +191,18 @@ pub fn apart(
         let text = rendered(diagnostics);
         (task.clone(), Replacement::DoesNotCompile(text))
     };
-    let suspects = || stubs.keys().filter(|task| !already.contains_key(*task));
-    for suspect in suspects().filter(|_| has_place(&diagnostics)) {
+    let suspects = stubs.keys().filter(|task| !already.contains_key(*task));
+    let mut suspects: Vec<&String> = suspects.collect();
+    suspects.sort_by_key(|task| Some(*task) != worthless);
+    for suspect in suspects.iter().filter(|_| has_place(&diagnostics)) {
         let mut without = already.clone();
-        without.insert(suspect.clone(), missing());
+        without.insert((*suspect).clone(), missing());
         if let BuildResult::Program { .. } = compile(&without)? {
             return Ok(Some([blame(suspect, &diagnostics)].into()));
         }
     }
     let mut blamed = Replacements::new();
-    for suspect in suspects() {
+    for &suspect in &suspects {
         let mut others = stubs.clone();
         others.remove(suspect);
         if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
@@ -206,7 +210,11 @@ pub fn apart(
         }
     }
     if blamed.is_empty() {
-        blamed.extend(suspects().map(|suspect| blame(suspect, &diagnostics)));
+        blamed.extend(
+            suspects
+                .into_iter()
+                .map(|suspect| blame(suspect, &diagnostics)),
+        );
     }
     Ok(Some(blamed))
 }
@@ -269,7 +277,7 @@ mod tests {
                     },
                 })
             };
-            let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), compile) else {
+            let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), None, compile) else {
                 panic!("the stubs compile")
             };
             blamed.len()

@@ -112,8 +112,13 @@ impl<'a> Rounds<'a> {
                     let mut blamed = blame::by_place(&diagnostics, self.submission, &replaced);
                     if blamed.is_empty() || is_last {
                         let compile = |replaced: &Replacements| self.compile(replaced);
-                        blamed = blame::apart(self.submission, &replaced, compile)?
-                            .ok_or_else(|| blame::not_theirs(&diagnostics))?;
+                        blamed = blame::apart(
+                            self.submission,
+                            &replaced,
+                            self.compiler.earlier.as_ref(),
+                            compile,
+                        )?
+                        .ok_or_else(|| blame::not_theirs(&diagnostics))?;
                     }
                     if blame::has_place(&diagnostics) {
                         blamed_so_far.extend(blamed.keys().cloned());
@@ -321,19 +326,17 @@ mod tests {
     use crate::checkout::Checkout;
     use crate::sandbox::Sandbox;
 
-    /// Which of the reference's answers are replaced when the first ones are edited like this, by their
-    /// positions.
-    fn replaced(edits: &[fn(&str) -> String], is_done: bool) -> Vec<usize> {
+    fn reference_of(name: &str) -> (Assignment, Submission) {
+        let assignment = Assignment::read(&Checkout::find().unwrap(), name).unwrap();
+        let reference = Submission::find(&assignment.reference(), &assignment).unwrap();
+        (assignment, reference)
+    }
+
+    /// Which answers are replaced, by their positions.
+    fn replaced_of(submission: &Submission, assignment: &Assignment, is_done: bool) -> Vec<usize> {
         let checkout = Checkout::find().unwrap();
-        let name = checkout.default_assignment().unwrap();
-        let assignment = Assignment::read(&checkout, &name).unwrap();
-        let mut submission = Submission::find(&assignment.reference(), &assignment).unwrap();
-        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
-            let text = answer.text.as_ref();
-            answer.text = text.map(|text| edit(text)).map_err(Clone::clone);
-        }
-        let compiler = Compiler::new(&assignment, &checkout, &Sandbox::Trusted).unwrap();
-        let rounds = Rounds::new(&compiler, &submission);
+        let compiler = Compiler::new(assignment, &checkout, &Sandbox::Trusted).unwrap();
+        let rounds = Rounds::new(&compiler, submission);
         let attempt = rounds.attempt(&|| is_done, &mut |_| false);
         let Ok(Attempt::Program(program)) = attempt else {
             panic!("a program without the bad answers")
@@ -341,6 +344,17 @@ mod tests {
         let answers = submission.answers.iter().enumerate();
         let replaced = answers.filter(|(_, it)| program.replaced.contains_key(&it.task));
         replaced.map(|(position, _)| position).collect()
+    }
+
+    /// Which of the reference's answers are replaced when the first ones are edited like this.
+    fn replaced(edits: &[fn(&str) -> String], is_done: bool) -> Vec<usize> {
+        let name = Checkout::find().unwrap().default_assignment().unwrap();
+        let (assignment, mut submission) = reference_of(&name);
+        for (answer, edit) in submission.answers.iter_mut().zip(edits) {
+            let text = answer.text.as_ref();
+            answer.text = text.map(|text| edit(text)).map_err(Clone::clone);
+        }
+        replaced_of(&submission, &assignment, is_done)
     }
 
     #[test]
@@ -385,18 +399,40 @@ mod tests {
         assert_eq!(replaced(&edits, false), [0, 3]);
     }
 
+    /// Two answers that are edited like this don't compile together.
+    fn clash(text: &str) -> String {
+        format!(
+            "{text}\nimpl crate::intersect_ray::IntersectRay for () {{
+                fn intersect_ray(&self, _: &pinhole::Ray, _: f64) -> Option<pinhole::Intersection> {{
+                    None
+                }}
+            }}"
+        )
+    }
+
     #[test]
     fn only_one_of_two_answers_that_clash_is_replaced() {
-        let clash = |text: &str| {
-            format!(
-                "{text}\nimpl crate::intersect_ray::IntersectRay for () {{
-                    fn intersect_ray(&self, _: &pinhole::Ray, _: f64) -> Option<pinhole::Intersection> {{
-                        None
-                    }}
-                }}"
-            )
-        };
         assert_eq!(replaced(&[clash, clash], false).len(), 1);
+    }
+
+    #[test]
+    fn an_answer_that_gives_no_points_is_to_blame_for_a_clash() {
+        let (assignment, mut submission) = reference_of("bounding_volumes");
+        let earlier = &assignment.earlier.as_ref().unwrap().task;
+        let given = assignment.reference().join("src").join(earlier.file());
+        submission.answers.push(Answer {
+            task: earlier.name.clone(),
+            text: Ok(std::fs::read_to_string(given).unwrap()),
+        });
+        let last = submission.answers.len() - 1;
+        for clashing in 0..last {
+            let mut submission = submission.clone();
+            for position in [clashing, last] {
+                let text = &mut submission.answers[position].text;
+                *text = Ok(clash(text.as_ref().unwrap()));
+            }
+            assert_eq!(replaced_of(&submission, &assignment, false), [last]);
+        }
     }
 
     #[cfg(unix)]
