@@ -191,8 +191,9 @@ pub enum Message {
     Started,
 }
 
-/// A message holds at most this many answers. They are few enough for smooth progress.
-pub const CHUNK: usize = 256;
+/// A message holds at most this many answers. They are few enough for smooth progress, and for
+/// several threads to share a group of questions.
+pub const CHUNK: usize = 64;
 
 /// Writes one length-prefixed value.
 pub(crate) fn send<T: Serialize>(value: &T, out: &mut impl Write) -> io::Result<()> {

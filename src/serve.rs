@@ -90,13 +90,17 @@ fn serve_through_stdin(functions: &[AnswerFn]) -> io::Result<()> {
             let _ = job::send(&Message::StillAt(index), &mut *lock(&saying));
         }
     };
-    let results = Mutex::new(listen_to(asker, say_where));
+    let (waiting, all_waiting) = mpsc::channel();
+    listen_to(asker, say_where, all_waiting);
     let asking = out.clone();
     kind::ask_tests_with(move |index, test| {
-        // Hold the lock until the result is here, so that no other thread takes it.
-        let results = lock(&results);
-        let sent = job::send(&Message::Test(index, test), &mut *lock(&asking));
-        match sent.ok().and_then(|()| results.recv().ok()) {
+        let (for_result, result) = mpsc::channel();
+        let mut asking = lock(&asking);
+        // Results come in the order of the tests, so hold the lock until the test is sent.
+        let waits = waiting.send(for_result).map_err(io::Error::other);
+        let sent = waits.and_then(|()| job::send(&Message::Test(index, test), &mut *asking));
+        drop(asking);
+        match sent.ok().and_then(|()| result.recv().ok()) {
             Some(result) => result,
             None => std::process::exit(UNSENT.into()),
         }
@@ -152,14 +156,14 @@ pub(crate) const STILL_AT: u8 = 4;
 
 /// Ends this process when the asker is gone, even if the student's code loops forever. Once
 /// the asker has read enough, discards what the code prints, because writing to a pipe
-/// takes ten times as long. Passes on the results of tests. When the asker wants to know which
-/// question is still being answered, calls `say_where`.
+/// takes ten times as long. Passes each result of a test on to the first that is `waiting`. When the
+/// asker wants to know which question is still being answered, calls `say_where`.
 #[cfg(unix)]
 fn listen_to(
     asker: std::os::unix::net::UnixStream,
     say_where: impl Fn() + Send + 'static,
-) -> mpsc::Receiver<TestResult> {
-    let (sender, results) = mpsc::channel();
+    waiting: mpsc::Receiver<mpsc::Sender<TestResult>>,
+) {
     std::thread::spawn(move || {
         let mut asker = io::BufReader::new(asker);
         loop {
@@ -168,8 +172,10 @@ fn listen_to(
                 Ok(stream @ (ENOUGH_OUTPUT | ENOUGH_ERRORS)) => print_nothing_to(stream),
                 Ok(STILL_AT) => say_where(),
                 Ok(TEST_RESULT) => match job::receive(&mut asker, MOST_RESULT) {
-                    // If no search waits for the result, it is not needed.
-                    Ok(Some(result)) => drop(sender.send(result)),
+                    Ok(Some(result)) => {
+                        // If no search waits for the result, it is not needed.
+                        let _ = waiting.try_recv().map(|search| search.send(result));
+                    }
                     _ => std::process::exit(UNSENT.into()),
                 },
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
@@ -177,7 +183,6 @@ fn listen_to(
             }
         }
     });
-    results
 }
 
 /// The result of a test takes at most this many bytes.
