@@ -242,11 +242,15 @@ fn a_compile_error_shows_only_the_compilers_messages_about_that_file() {
 #[test]
 fn a_deleted_impl_is_blamed_on_its_own_file() {
     let folder = submission(&trusted(), "deleted-impl", &[("plane.rs", "")]);
+    std::fs::remove_file(folder.join("intersect_ray.rs")).expect("the copy has it");
     let examination = check(&folder, &[]).expect_code(1).json();
     assert_eq!(
         task(&examination, "plane")["file"]["state"],
         "does not compile"
     );
+    let said = task(&examination, "plane")["file"].to_string();
+    let ours = "--> src/intersect_ray.rs:";
+    assert!(said.contains(ours), "the folder has no such file: {said}");
     for name in TASKS.into_iter().filter(|name| *name != "plane") {
         assert_eq!(lost(&examination, name), 0, "{name}");
     }

@@ -50,7 +50,7 @@ pub enum BuildResult {
 }
 
 /// Compiles sources into a folder of `programs`, unless it is there already. Messages of the
-/// compiler and of panics name the files as if they lay in the folder `shown_in`.
+/// compiler and of panics name the files that are in the folder `shown_in` as its files.
 ///
 /// # Errors
 /// If a file cannot be written, or the compiler is not installed.
@@ -96,7 +96,7 @@ pub fn build(
     let mut rustc = sandbox
         .compiler(&fresh, &harness.folder, &limits)
         .or_fail(&not_started)?;
-    arguments(&mut rustc, harness, shown_in);
+    arguments(&mut rustc, harness, sources, shown_in);
     let finished = timed("rustc", || sandbox.compile(rustc, &limits)).or_fail(&not_started)?;
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
         fs::rename(out.join(PROGRAM), fresh.join(PROGRAM))
@@ -170,7 +170,7 @@ fn said(finished: &CommandResult) -> Vec<Diagnostic> {
 
 /// Adds the compiler's arguments. All paths are relative, so that its messages name files as
 /// the student does.
-fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
+fn arguments(rustc: &mut Command, harness: &Harness, sources: &Sources, shown_in: &str) {
     rustc.args([
         "src/main.rs",
         "--edition=2024",
@@ -183,8 +183,13 @@ fn arguments(rustc: &mut Command, harness: &Harness, shown_in: &str) {
     rustc.args(["-Coverflow-checks=on", "-Funsafe_code"]);
     rustc.args(["--error-format=json", "--json=diagnostic-rendered-ansi"]);
     rustc.arg(format!("-oout/{PROGRAM}"));
-    if shown_in != SRC {
-        rustc.arg(format!("--remap-path-prefix={SRC}={shown_in}"));
+    for name in sources.keys() {
+        // Not every folder of answers holds our files, too.
+        if shown_in != SRC && Path::new(shown_in).join(name).is_file() {
+            rustc.arg(format!(
+                "--remap-path-prefix={SRC}/{name}={shown_in}/{name}"
+            ));
+        }
     }
     rustc
         .arg("-L")
