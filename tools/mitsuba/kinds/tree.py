@@ -69,7 +69,7 @@ class Question:
         """
         trees = [
             split(self.boxes, largest, is_first)
-            for is_first in (below_middle, in_first_half)
+            for is_first in (below_middle, up_to_middle, in_first_half)
             for largest in (1, 4, LARGEST_LEAF)
         ]
         deepest = max(depth(tree) for tree in trees)
@@ -126,6 +126,11 @@ def areas_of_first(boxes):
 def below_middle(places):
     """Whether each place lies below the middle of them all."""
     return places < (places.min() + places.max()) / 2
+
+
+def up_to_middle(places):
+    """Whether each place lies below the middle of them all or in it."""
+    return places <= (places.min() + places.max()) / 2
 
 
 def in_first_half(places):

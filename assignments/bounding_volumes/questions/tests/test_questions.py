@@ -106,6 +106,17 @@ def test_trees_that_are_split_in_the_middle_are_accepted_and_chains_are_not(grou
         assert not accepted or len(question.boxes) < 16
 
 
+def test_a_centre_in_the_middle_may_go_to_either_side():
+    # With this seed, the tree was too costly when only trees with the middle on the other side
+    # counted as right.
+    question = questions_of(ASSIGNMENT, "build_tree").GROUPS["long"](np.random.default_rng(330))
+    _, (_, depth, _, cost) = question.answer()
+    for is_first in (tree.below_middle, tree.up_to_middle):
+        split = tree.split(question.boxes, tree.LARGEST_LEAF, is_first)
+        assert tree.depth(split) <= depth
+        assert tree.cost(split, question.boxes) <= cost
+
+
 def right_search(question):
     """The nearest triangle by asking all of them, without a box."""
     after = [hit for hit in question.hits if hit[1] >= question.min_t]
