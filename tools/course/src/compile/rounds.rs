@@ -438,9 +438,8 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn no_folder_that_could_change_the_terminal_is_named() {
-        let checkout = Checkout::find().unwrap();
-        let name = checkout.default_assignment().unwrap();
-        let assignment = Assignment::read(&checkout, &name).unwrap();
+        let name = Checkout::find().unwrap().default_assignment().unwrap();
+        let (assignment, _) = reference_of(&name);
         let above = tempfile::tempdir().expect("there is room");
         let is_named = |name: &str| {
             let folder = above.path().join(name);
