@@ -1,8 +1,8 @@
 //! Grades a class. Each submission is graded by itself, so that no grade is lost and every mark
 //! can be reproduced.
 //!
-//! Reading order: [`intake`] reads what was handed in, and by whom. [`queue`] decides what to grade
-//! when. [`grader`] grades one submission into a [`record`]. [`redact`] removes what students may
+//! Reading order: [`intake`] reads what was handed in, and by whom. [`stored`] finds results that are
+//! still valid, and [`queue`] grades the rest. [`grader`] grades one submission into a [`record`]. [`redact`] removes what students may
 //! not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes marks again,
 //! [`provenance`] says what a record was made from, and [`cache`] stores files. [`policy`] turns
 //! the judged points into a mark for the gradebook, [`class`] collects all records,
@@ -21,5 +21,6 @@ pub mod queue;
 pub mod record;
 pub mod redact;
 pub mod shared_answers;
+pub mod stored;
 pub mod unexplained_groups;
 pub mod views;

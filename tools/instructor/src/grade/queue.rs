@@ -1,5 +1,4 @@
-//! Grades submissions in parallel, and skips those whose result is still valid. For those, at
-//! most the points are computed again.
+//! Grades submissions in parallel.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -9,12 +8,8 @@ use super::cache::ResultCache;
 use super::class::Change;
 use super::grader::{Grade, Grader};
 use super::intake::{self, Entry};
-use super::points;
-use super::provenance::{GradingInputs, Provenance};
 use super::record::{Record, RecordSummary};
 use super::views::progress::GradingProgress;
-use pinhole_course::assignment::Assignment;
-use pinhole_course::error::Result;
 
 /// The submissions that are to be graded.
 pub struct GradeQueue<'a> {
@@ -37,74 +32,6 @@ pub struct QueueResult {
     pub change: Option<Change>,
     /// The submission, if grading it failed in this run, and why.
     pub fault: Option<(String, String)>,
-}
-
-/// Why a submission is graded again; `None` if it has no result.
-pub type Regrading = Option<&'static str>;
-
-/// The stored result of a submission if it is still valid, with the current points of its parts.
-/// Otherwise, why not.
-pub fn valid(
-    entry: &Entry,
-    cache: &ResultCache,
-    made_with: &GradingInputs,
-    assignment: &Assignment,
-) -> Result<std::result::Result<QueueResult, Regrading>> {
-    let (Some(before), Ok(submission)) = (cache.get(&entry.id), &entry.submission) else {
-        return Ok(Err(None));
-    };
-    let provenance = Provenance::of(submission, made_with);
-    if let Some(change) = provenance.change_since(&before.provenance) {
-        return Ok(Err(Some(change)));
-    }
-    if before.got.submission != entry.name || before.remarks != entry.remarks() {
-        return Ok(Err(Some("other file names")));
-    }
-    with_current_points(before, cache, assignment).map(Ok)
-}
-
-/// The stored result of a submission, with the current points of its parts.
-pub fn with_current_points(
-    before: Record,
-    cache: &ResultCache,
-    assignment: &Assignment,
-) -> Result<QueueResult> {
-    let mut record = before.clone();
-    points::compute(&mut record, assignment);
-    if record != before {
-        cache.put_points(&record)?;
-    }
-    Ok(QueueResult {
-        change: Change::between(
-            cache.listed(&record.id).as_ref().unwrap_or(&before),
-            &record,
-        ),
-        record: record.into(),
-        is_new: false,
-        fault: None,
-    })
-}
-
-/// Like [`with_current_points`], but for a submission whose answers this run has not read. If
-/// `is_old`, it was asked other questions than this run asks. Then it keeps its points, and its fault
-/// says so.
-pub fn kept(
-    before: Record,
-    cache: &ResultCache,
-    assignment: &Assignment,
-    is_old: bool,
-) -> Result<QueueResult> {
-    let is_old = before.is_graded() && is_old;
-    if before.is_graded() && !is_old {
-        return with_current_points(before, cache, assignment);
-    }
-    let why = "it was graded with other questions or goldens; grade the whole class again";
-    Ok(QueueResult {
-        fault: is_old.then(|| (before.id.clone(), why.into())),
-        record: before.into(),
-        is_new: false,
-        change: None,
-    })
 }
 
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {

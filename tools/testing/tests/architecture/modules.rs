@@ -118,6 +118,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
             "grader",
             "views",
             "queue",
+            "stored",
         ],
     ),
     (
