@@ -2,13 +2,15 @@
 //! can be reproduced.
 //!
 //! Reading order: [`intake`] reads what was handed in, and by whom. [`stored`] finds results that are
-//! still valid, and [`queue`] grades the rest. [`grader`] grades one submission into a [`record`]. [`redact`] removes what students may
-//! not see, [`evidence`] keeps what only the lecturer may see, [`points`] computes marks again,
-//! [`provenance`] says what a record was made from, and [`cache`] stores files. [`policy`] turns
-//! the judged points into a mark for the gradebook, [`class`] collects all records,
-//! [`shared_answers`] finds equal answers, and [`unexplained_groups`] groups wrong answers that no
-//! known mistake explains. [`views`] writes and prints the results.
+//! still valid, and [`queue`] grades the rest. [`grader`] grades one submission into a [`record`].
+//! [`redact`] removes what students may not see, [`evidence`] keeps what only the lecturer may see,
+//! [`points`] computes marks again, [`provenance`] says what a record was made from, [`atomic`]
+//! writes files, and [`cache`] stores those of a class. [`policy`] turns the judged points into a mark
+//! for the gradebook, [`class`] collects all records, [`shared_answers`] finds equal answers, and
+//! [`unexplained_groups`] groups wrong answers that no known mistake explains. [`views`] writes and
+//! prints the results.
 
+pub mod atomic;
 pub mod cache;
 pub mod class;
 pub mod evidence;

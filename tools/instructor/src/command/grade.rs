@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use self::questions::{Folders, Questions, secrets};
 use crate::cli::Grade;
 use crate::grade::cache::{ResultCache, pretty};
-use crate::grade::class::{self, Roll, replace};
+use crate::grade::class::{ROLL, Roll, change, replace, roll};
 use crate::grade::grader::Grader;
 use crate::grade::grader::clock::Pace;
 use crate::grade::intake::placement::Placement;
@@ -60,7 +60,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
              ask fresh ones, install Mitsuba (cargo pinhole golden setup) and leave out --no-fresh"
         );
     }
-    cache.write(class::ROLL, &pretty(&roll)?)?;
+    cache.write(ROLL, &pretty(&roll)?)?;
     let start = Instant::now();
     let mine = intake::shard(new, arguments.shard);
     let stored = StoredResults {
@@ -141,7 +141,7 @@ pub fn run(checkout: &Checkout, arguments: &Grade) -> Result<Status> {
         faults.extend(done.fault);
         records.insert(done.record.id.clone(), done.record);
     }
-    class::sort_changes(&mut changes);
+    change::sort(&mut changes);
     let run = RunSummary {
         graded,
         seconds: start.elapsed().as_secs_f64(),
@@ -159,7 +159,7 @@ fn with_class(
     arguments: &Grade,
     cache: &ResultCache,
 ) -> Result<(Vec<Entry>, Roll)> {
-    let earlier = cache.path(class::ROLL);
+    let earlier = cache.path(ROLL);
     if roll.passed.is_empty() && arguments.shard.is_none() && earlier.exists() {
         let class = Roll::read(&earlier)?;
         roll.take_ids_of(&class);
@@ -208,7 +208,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let roster = arguments.roster.as_ref();
     let mut people = roster.map(|path| roster::read(path)).transpose()?;
     if let (Some(policy), Some(people)) = (&policy, &mut people) {
-        class::know_groups(policy, people);
+        roll::know_groups(policy, people);
     }
     let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
     let mut roll = Roll {

@@ -9,8 +9,9 @@ use std::sync::OnceLock;
 use rayon::prelude::*;
 
 use crate::cli::Merge;
-use crate::grade::cache::{ResultCache, link, pretty, refuse_foreign, standing, write_unflushed};
-use crate::grade::class::{self, Change, ROLL, Roll, replace};
+use crate::grade::atomic::{link, write_unflushed};
+use crate::grade::cache::{ResultCache, pretty, refuse_foreign, standing};
+use crate::grade::class::{Change, ROLL, Roll, change, replace};
 use crate::grade::evidence::Evidence;
 use crate::grade::intake::Entry;
 use crate::grade::policy::Policy;
@@ -84,7 +85,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
              points that they had then"
         );
     }
-    class::sort_changes(&mut run.changes);
+    change::sort(&mut run.changes);
     // A class of another version is merged again.
     if let Ok(class) = Roll::read(&earlier) {
         roll.note_changes(&class);
@@ -271,7 +272,7 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::cache::write;
+    use crate::grade::atomic::write;
     use crate::grade::record::tests::graded;
 
     #[test]

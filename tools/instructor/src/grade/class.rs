@@ -1,215 +1,27 @@
-//! All records of a class, and what changed when it was graded again.
+//! All records of a class.
 
+pub mod change;
 pub mod concern;
 pub mod marks;
 pub mod replace;
+pub mod roll;
 
-use std::collections::{BTreeMap, BTreeSet, VecDeque};
-use std::fs;
-use std::path::Path;
+use std::collections::BTreeMap;
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 
+pub use self::change::Change;
+pub use self::roll::Roll;
 pub use super::cache::ROLL;
 
 use self::concern::Concern;
 use self::marks::Rows;
-use super::intake::placement::{self, Placement};
+use super::intake::Entry;
 use super::intake::roster::Person;
-use super::intake::{self, Entry};
-use super::policy::Policy;
 use super::policy::mark::Mark;
-use super::policy::times::TimeLine;
-use super::record::{Record, RecordSummary, TaskSummary};
+use super::record::{RecordSummary, TaskSummary};
 use super::shared_answers::{self, KnownAnswers, SharedAnswer, SharedPair};
-use pinhole_course::error::{Result, ResultExt};
 use pinhole_course::outcome::Status;
-
-/// What was handed in, and by whom. Every shard has the same roll.
-#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
-pub struct Roll {
-    /// Everything that is graded, by id.
-    pub entries: Vec<Entry>,
-    /// The roster, if there is one.
-    pub people: Option<Vec<Person>>,
-    pub placed: Placement,
-    /// Files that are not submissions.
-    pub ignored: Vec<String>,
-    /// The folders and archives that the class was read from. Empty if the user passed only single
-    /// submissions.
-    #[serde(default)]
-    pub passed: Vec<String>,
-    /// How judged points become final marks.
-    #[serde(default)]
-    pub policy: Option<Policy>,
-    /// The answers that submissions of a name had when the table of times was passed first, if they
-    /// have others now: see [`Roll::note_changes`].
-    pub changed: BTreeMap<String, Vec<Answers>>,
-}
-
-/// See [`Entry::answers`].
-type Answers = Option<Vec<(String, String)>>;
-
-impl Roll {
-    /// Reads the roll of a class that was graded into a folder.
-    pub fn read(path: &Path) -> Result<Roll> {
-        let text = fs::read_to_string(path).or_input(
-            format_args!("cannot read {}", path.display()),
-            "name a folder that `pinhole grade` has written",
-        )?;
-        serde_json::from_str(&text).or_input(
-            format_args!("{}", path.display()),
-            "grade that class again with this version of Pinhole",
-        )
-    }
-
-    /// Whether another roll has the same submissions, roster and policy. They may have been read from
-    /// other paths.
-    pub fn has_same_submissions(&self, other: &Roll) -> bool {
-        let here = Roll {
-            passed: other.passed.clone(),
-            changed: other.changed.clone(),
-            ..self.clone()
-        };
-        here == *other
-    }
-
-    /// The keys of its submissions.
-    pub fn keys(&self) -> BTreeSet<&str> {
-        self.entries.iter().map(Entry::key).collect()
-    }
-
-    /// Gives single submissions the ids that submissions of their names have in a class, or else ids
-    /// that are free there.
-    pub fn take_ids_of(&mut self, class: &Roll) {
-        let mut old: BTreeMap<&str, VecDeque<&String>> = BTreeMap::new();
-        let mut taken = BTreeSet::new();
-        for entry in &class.entries {
-            old.entry(entry.key()).or_default().push_back(&entry.id);
-            taken.insert(entry.id.to_lowercase());
-        }
-        let mut renamed = BTreeMap::new();
-        for entry in &mut self.entries {
-            let same = old.get_mut(entry.key());
-            let id = match same.and_then(VecDeque::pop_front) {
-                Some(id) => id.clone(),
-                None => intake::free_id(&entry.id, &mut taken),
-            };
-            renamed.insert(std::mem::replace(&mut entry.id, id.clone()), id);
-        }
-        for id in self.placed.superseded.values_mut() {
-            id.clone_from(&renamed[id]);
-        }
-    }
-
-    /// Adds single submissions to the class that was graded into the same folder before. They
-    /// replace earlier ones of the same name, and all others stay.
-    pub fn into_class(self, mut class: Roll) -> Roll {
-        let new = self.keys();
-        let old = class.clone();
-        class.entries.retain(|entry| !new.contains(entry.key()));
-        class.entries.extend(self.entries);
-        class.entries.sort_by(|a, b| a.id.cmp(&b.id));
-        class.people = self.people.or(class.people);
-        class.ignored.extend(self.ignored);
-        class.ignored.sort();
-        class.ignored.dedup();
-        class.placed.superseded.extend(self.placed.superseded);
-        class.policy = self.policy.or(class.policy);
-        class.changed.clear();
-        class.note_changes(&old);
-        class.place();
-        class
-    }
-
-    /// The lines of the table of times; none without a table.
-    pub fn times(&self) -> &[TimeLine] {
-        self.policy.as_ref().map_or(&[], |policy| &policy.times)
-    }
-
-    /// Notes which submissions are new, or have other answers than in the class that was graded into
-    /// the same folder before. If the table of times is still the same, it may say when the earlier
-    /// answers were handed in.
-    pub fn note_changes(&mut self, class: &Roll) {
-        if self.times() != class.times() {
-            return;
-        }
-        let mut old = class.answers();
-        old.extend(class.changed.clone());
-        for (key, answers) in self.answers() {
-            let old = old.remove(&key).unwrap_or_default();
-            if old != answers {
-                self.changed.entry(key).or_insert(old);
-            }
-        }
-    }
-
-    /// The answers of all submissions of each name.
-    fn answers(&self) -> BTreeMap<String, Vec<Answers>> {
-        let mut answers: BTreeMap<String, Vec<Answers>> = BTreeMap::new();
-        for entry in &self.entries {
-            let of_name = answers.entry(entry.key().into()).or_default();
-            of_name.push(entry.answers.clone());
-            of_name.sort();
-        }
-        answers
-    }
-
-    /// Finds each submission's person, and the people for whom nothing was handed in, not even by
-    /// their group.
-    pub fn place(&mut self) {
-        if let (Some(policy), Some(people)) = (&self.policy, &mut self.people) {
-            know_groups(policy, people);
-        }
-        let superseded = std::mem::take(&mut self.placed.superseded);
-        self.placed = placement::place(&self.entries, self.people.as_deref());
-        self.placed.superseded = superseded;
-        let mut missing = std::mem::take(&mut self.placed.missing);
-        let handed_in = self.handed_in();
-        missing.retain(|person| !handed_in.contains(person.id.as_str()));
-        self.placed.missing = missing;
-    }
-
-    /// The ids of the people who have handed something in, alone or with a group.
-    fn handed_in(&self) -> BTreeSet<&str> {
-        let of = self.placed.of.values();
-        let people = of.flat_map(|person| self.team_of(person));
-        people.map(|person| person.id.as_str()).collect()
-    }
-
-    /// People who may have handed in a submission whose owner is uncertain, and whose group has
-    /// handed in nothing else.
-    pub fn in_doubt(&self) -> Vec<&Person> {
-        let handed_in = self.handed_in();
-        let mut people = self.placed.in_doubt();
-        people.retain(|person| !handed_in.contains(person.id.as_str()));
-        people
-    }
-
-    /// Everyone who gets the mark for what a person hands in: the person alone, or the person's
-    /// group.
-    pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
-        let policy = self.policy.as_ref();
-        let Some(group) = policy.and_then(|policy| policy.group_of(&person.id)) else {
-            return vec![person];
-        };
-        let people = self.people.iter().flatten();
-        people
-            .filter(|other| group.members.contains(&other.id))
-            .collect()
-    }
-}
-
-/// Lets a submission with the name of a group count as handed in by one of its members.
-pub fn know_groups(policy: &Policy, people: &mut [Person]) {
-    people.iter_mut().for_each(|person| person.group = None);
-    for group in &policy.groups {
-        let mut all = people.iter_mut();
-        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
-            person.group = Some(group.name.clone());
-        }
-    }
-}
 
 /// A graded class.
 pub struct Class<'a> {
@@ -371,70 +183,4 @@ impl<'a> Class<'a> {
         times.truncate(10);
         times
     }
-}
-
-/// A mark that has changed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Change {
-    pub id: String,
-    pub before: u32,
-    pub after: u32,
-    /// The tasks and scenes whose points changed, with the old and the new points.
-    pub parts: Vec<(String, u32, u32)>,
-    /// Whether the answers themselves have changed.
-    pub answers_changed: bool,
-}
-
-impl Change {
-    /// How `after` differs from `before`; `None` if all points are the same.
-    pub fn between(before: &Record, after: &Record) -> Option<Change> {
-        let parts = |record: &Record| {
-            let tasks = record.got.tasks.iter();
-            let tasks = tasks.map(|task| (task.name.clone(), task.points));
-            let scenes = ("scenes".to_owned(), record.scene_points().0);
-            tasks.chain([scenes]).collect::<Vec<_>>()
-        };
-        let (Some(points), Some(now)) = (before.got.points, after.got.points) else {
-            return None;
-        };
-        let old = parts(before);
-        let had = |name: &String| old.iter().find(|(other, _)| other == name);
-        let changed = parts(after).into_iter().filter_map(|(name, now)| {
-            let had = had(&name).map_or(0, |(_, points)| *points);
-            (had != now).then_some((name, had, now))
-        });
-        let parts: Vec<(String, u32, u32)> = changed.collect();
-        (points != now || !parts.is_empty()).then(|| Change {
-            id: after.id.clone(),
-            before: points,
-            after: now,
-            parts,
-            answers_changed: before.provenance.answers != after.provenance.answers,
-        })
-    }
-
-    /// The change, in one line.
-    pub fn in_words(&self) -> String {
-        let parts = self
-            .parts
-            .iter()
-            .map(|(name, had, has)| format!("{name} {had} → {has}"));
-        let parts: Vec<String> = parts.collect();
-        let same = match self.answers_changed {
-            true => "",
-            false => ", from the same answers",
-        };
-        let (before, after) = (self.before, self.after);
-        format!(
-            "{}: {before} → {after} ({}){same}",
-            self.id,
-            parts.join(", ")
-        )
-    }
-}
-
-/// Sorts changes: the largest losses first, because students ask about those.
-pub fn sort_changes(changes: &mut [Change]) {
-    let gain = |change: &Change| i64::from(change.after) - i64::from(change.before);
-    changes.sort_by(|a, b| (gain(a), &a.id).cmp(&(gain(b), &b.id)));
 }

@@ -104,6 +104,7 @@ const FOLDERS: [(&str, &[&str]); 8] = [
     (
         "tools/instructor/src/grade",
         &[
+            "atomic",
             "redact",
             "provenance",
             "evidence",

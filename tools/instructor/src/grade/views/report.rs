@@ -5,7 +5,8 @@ use std::fs;
 
 use rayon::prelude::*;
 
-use crate::grade::cache::{ResultCache, write_unflushed};
+use crate::grade::atomic::write_unflushed;
+use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
 use crate::grade::policy::mark::number;
 use pinhole_course::error::Result;

@@ -1,0 +1,200 @@
+//! What was handed in, and by whom.
+
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use crate::grade::intake::placement::{self, Placement};
+use crate::grade::intake::roster::Person;
+use crate::grade::intake::{self, Entry};
+use crate::grade::policy::Policy;
+use crate::grade::policy::times::TimeLine;
+use pinhole_course::error::{Result, ResultExt};
+
+/// What was handed in, and by whom. Every shard has the same roll.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
+pub struct Roll {
+    /// Everything that is graded, by id.
+    pub entries: Vec<Entry>,
+    /// The roster, if there is one.
+    pub people: Option<Vec<Person>>,
+    pub placed: Placement,
+    /// Files that are not submissions.
+    pub ignored: Vec<String>,
+    /// The folders and archives that the class was read from. Empty if the user passed only single
+    /// submissions.
+    #[serde(default)]
+    pub passed: Vec<String>,
+    /// How judged points become final marks.
+    #[serde(default)]
+    pub policy: Option<Policy>,
+    /// The answers that submissions of a name had when the table of times was passed first, if they
+    /// have others now: see [`Roll::note_changes`].
+    pub changed: BTreeMap<String, Vec<Answers>>,
+}
+
+/// See [`Entry::answers`].
+type Answers = Option<Vec<(String, String)>>;
+
+impl Roll {
+    /// Reads the roll of a class that was graded into a folder.
+    pub fn read(path: &Path) -> Result<Roll> {
+        let text = fs::read_to_string(path).or_input(
+            format_args!("cannot read {}", path.display()),
+            "name a folder that `pinhole grade` has written",
+        )?;
+        serde_json::from_str(&text).or_input(
+            format_args!("{}", path.display()),
+            "grade that class again with this version of Pinhole",
+        )
+    }
+
+    /// Whether another roll has the same submissions, roster and policy. They may have been read from
+    /// other paths.
+    pub fn has_same_submissions(&self, other: &Roll) -> bool {
+        let here = Roll {
+            passed: other.passed.clone(),
+            changed: other.changed.clone(),
+            ..self.clone()
+        };
+        here == *other
+    }
+
+    /// The keys of its submissions.
+    pub fn keys(&self) -> BTreeSet<&str> {
+        self.entries.iter().map(Entry::key).collect()
+    }
+
+    /// Gives single submissions the ids that submissions of their names have in a class, or else ids
+    /// that are free there.
+    pub fn take_ids_of(&mut self, class: &Roll) {
+        let mut old: BTreeMap<&str, VecDeque<&String>> = BTreeMap::new();
+        let mut taken = BTreeSet::new();
+        for entry in &class.entries {
+            old.entry(entry.key()).or_default().push_back(&entry.id);
+            taken.insert(entry.id.to_lowercase());
+        }
+        let mut renamed = BTreeMap::new();
+        for entry in &mut self.entries {
+            let same = old.get_mut(entry.key());
+            let id = match same.and_then(VecDeque::pop_front) {
+                Some(id) => id.clone(),
+                None => intake::free_id(&entry.id, &mut taken),
+            };
+            renamed.insert(std::mem::replace(&mut entry.id, id.clone()), id);
+        }
+        for id in self.placed.superseded.values_mut() {
+            id.clone_from(&renamed[id]);
+        }
+    }
+
+    /// Adds single submissions to the class that was graded into the same folder before. They
+    /// replace earlier ones of the same name, and all others stay.
+    pub fn into_class(self, mut class: Roll) -> Roll {
+        let new = self.keys();
+        let old = class.clone();
+        class.entries.retain(|entry| !new.contains(entry.key()));
+        class.entries.extend(self.entries);
+        class.entries.sort_by(|a, b| a.id.cmp(&b.id));
+        class.people = self.people.or(class.people);
+        class.ignored.extend(self.ignored);
+        class.ignored.sort();
+        class.ignored.dedup();
+        class.placed.superseded.extend(self.placed.superseded);
+        class.policy = self.policy.or(class.policy);
+        class.changed.clear();
+        class.note_changes(&old);
+        class.place();
+        class
+    }
+
+    /// The lines of the table of times; none without a table.
+    pub fn times(&self) -> &[TimeLine] {
+        self.policy.as_ref().map_or(&[], |policy| &policy.times)
+    }
+
+    /// Notes which submissions are new, or have other answers than in the class that was graded into
+    /// the same folder before. If the table of times is still the same, it may say when the earlier
+    /// answers were handed in.
+    pub fn note_changes(&mut self, class: &Roll) {
+        if self.times() != class.times() {
+            return;
+        }
+        let mut old = class.answers();
+        old.extend(class.changed.clone());
+        for (key, answers) in self.answers() {
+            let old = old.remove(&key).unwrap_or_default();
+            if old != answers {
+                self.changed.entry(key).or_insert(old);
+            }
+        }
+    }
+
+    /// The answers of all submissions of each name.
+    fn answers(&self) -> BTreeMap<String, Vec<Answers>> {
+        let mut answers: BTreeMap<String, Vec<Answers>> = BTreeMap::new();
+        for entry in &self.entries {
+            let of_name = answers.entry(entry.key().into()).or_default();
+            of_name.push(entry.answers.clone());
+            of_name.sort();
+        }
+        answers
+    }
+
+    /// Finds each submission's person, and the people for whom nothing was handed in, not even by
+    /// their group.
+    pub fn place(&mut self) {
+        if let (Some(policy), Some(people)) = (&self.policy, &mut self.people) {
+            know_groups(policy, people);
+        }
+        let superseded = std::mem::take(&mut self.placed.superseded);
+        self.placed = placement::place(&self.entries, self.people.as_deref());
+        self.placed.superseded = superseded;
+        let mut missing = std::mem::take(&mut self.placed.missing);
+        let handed_in = self.handed_in();
+        missing.retain(|person| !handed_in.contains(person.id.as_str()));
+        self.placed.missing = missing;
+    }
+
+    /// The ids of the people who have handed something in, alone or with a group.
+    fn handed_in(&self) -> BTreeSet<&str> {
+        let of = self.placed.of.values();
+        let people = of.flat_map(|person| self.team_of(person));
+        people.map(|person| person.id.as_str()).collect()
+    }
+
+    /// People who may have handed in a submission whose owner is uncertain, and whose group has
+    /// handed in nothing else.
+    pub fn in_doubt(&self) -> Vec<&Person> {
+        let handed_in = self.handed_in();
+        let mut people = self.placed.in_doubt();
+        people.retain(|person| !handed_in.contains(person.id.as_str()));
+        people
+    }
+
+    /// Everyone who gets the mark for what a person hands in: the person alone, or the person's
+    /// group.
+    pub fn team_of<'a>(&'a self, person: &'a Person) -> Vec<&'a Person> {
+        let policy = self.policy.as_ref();
+        let Some(group) = policy.and_then(|policy| policy.group_of(&person.id)) else {
+            return vec![person];
+        };
+        let people = self.people.iter().flatten();
+        people
+            .filter(|other| group.members.contains(&other.id))
+            .collect()
+    }
+}
+
+/// Lets a submission with the name of a group count as handed in by one of its members.
+pub fn know_groups(policy: &Policy, people: &mut [Person]) {
+    people.iter_mut().for_each(|person| person.group = None);
+    for group in &policy.groups {
+        let mut all = people.iter_mut();
+        if let Some(person) = all.find(|person| group.members.contains(&person.id)) {
+            person.group = Some(group.name.clone());
+        }
+    }
+}
