@@ -2,10 +2,10 @@
 
 pub mod arguments;
 mod mistake_films;
+mod rendering;
 mod test_films;
 mod verify;
 
-use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -18,7 +18,7 @@ use pinhole_course::diagnosis::known::KnownMistakes;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::goldens::Goldens;
 use pinhole_course::manifest::Manifest;
-use pinhole_course::mitsuba::{self, RenderResult};
+use pinhole_course::mitsuba;
 use pinhole_course::output;
 use pinhole_course::private::{is_private, make_private};
 use pinhole_course::progress::Progress;
@@ -26,6 +26,7 @@ use pinhole_course::run_options::AssignmentOption;
 use pinhole_course::seed::Seed;
 use pinhole_course::shell::in_shell;
 use pinhole_report::program::Status;
+use rendering::Rendering;
 
 /// The seed of the committed questions and ties.
 const COMMITTED_SEED: Seed = Seed(1);
@@ -137,8 +138,7 @@ pub fn make(
     checkout: &Checkout,
     arguments: &GoldenRender,
 ) -> Result<Vec<String>> {
-    let own = assignment.golden();
-    let folder = arguments.out.clone().unwrap_or_else(|| own.clone());
+    let folder = arguments.out.clone().unwrap_or_else(|| assignment.golden());
     let scenes = scenes(arguments, assignment)?;
     let is_own = |scene: &PathBuf| inside(scene, &assignment.folder);
     if arguments.out.is_none() && !scenes.iter().all(is_own) {
@@ -150,100 +150,29 @@ pub fn make(
     for scene in &scenes {
         Scene::read(scene)?;
     }
-    let cannot_make = Error::input(
-        format!("cannot make {}", folder.display()),
-        "name a folder you may write to",
-    );
-    fs::create_dir_all(&folder).or_fail(&cannot_make)?;
     // Nobody may read fresh questions before they are asked.
-    if arguments.out.is_some() && arguments.seed.is_some() {
-        let is_empty = fs::read_dir(&folder)
-            .or_fail(&cannot_make)?
-            .next()
-            .is_none();
-        if is_empty {
-            make_private(&folder).or_fail(&cannot_make)?;
-        }
-        if !is_private(&folder) {
-            return Err(Error::input(
-                format!("others on this machine can read {}", folder.display()),
-                format!(
-                    "name a new folder with --out, or, if this one is yours: chmod go-rwx {}",
-                    in_shell(&folder.display().to_string())
-                ),
-            ));
-        }
-    }
-
-    let progress = Progress::new();
-    progress.say("Mitsuba");
-    // Move films to their places only when all are made, so that a failure leaves the old ones.
-    let staging = folder.join(".rendering");
-    let _left_by_a_run_that_was_stopped = fs::remove_dir_all(&staging);
-    fs::create_dir_all(&staging).or_fail(&Error::file(&staging))?;
+    let is_secret = arguments.out.is_some() && arguments.seed.is_some();
+    make_folder(&folder, is_secret)?;
     // If all of the assignment's films are made again, none of the old ones stays in the manifest.
     let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
-    let mut manifest = if whole {
-        Manifest::default()
-    } else {
-        Manifest::read_or_new(&folder)?
+    let manifest = match whole {
+        true => Manifest::default(),
+        false => Manifest::read_or_new(&folder)?,
     };
-    manifest.refuse_other_scripts(&folder, assignment, checkout)?;
-    if !scenes.is_empty() {
-        let mut line: Vec<OsString> = vec!["scenes".into()];
-        line.extend(scenes.iter().map(OsString::from));
-        let rendered = python(checkout, line, None, &staging, &progress)?;
-        enter(&mut manifest, &rendered, &staging)?;
-        let made = |scene: &&PathBuf| {
-            let stem = scene.file_stem().unwrap_or_default();
-            rendered.items.iter().any(|item| *item.name == *stem)
-        };
-        for scene in scenes.iter().filter(made) {
-            manifest.add_scene(scene, &folder, assignment)?;
-        }
-        if let Some(refusal) = rendered.refusal {
-            publish(&staging, &folder)?;
-            manifest.set_scripts(&folder, assignment, checkout)?;
-            manifest.write(&folder)?;
-            return Err(refusal);
-        }
-    }
+    let mut rendering = Rendering::new(assignment, checkout, &folder, manifest)?.scenes(&scenes)?;
     if let Some(seed) = arguments.seed {
-        let line = drawn("random-scenes", assignment);
-        let rendered = python(checkout, line, Some(seed), &staging, &progress)?;
-        enter(&mut manifest, &rendered, &staging)?;
-        for item in &rendered.items {
-            let scene = staging
-                .join("scenes")
-                .join(&item.name)
-                .with_extension("toml");
-            manifest.add_scene(&scene, &staging, assignment)?;
-        }
+        rendering.random_scenes(seed)?;
     }
     if arguments.scenes.is_empty() {
-        let (what, seed) = match arguments.seed {
-            Some(seed) => ("fresh-questions", seed),
-            None => ("questions", COMMITTED_SEED),
-        };
-        let line = drawn(what, assignment);
-        let rendered = python(checkout, line, Some(seed), &staging, &progress)?;
-        enter(&mut manifest, &rendered, &staging)?;
-        manifest.probe_seed = Some(seed);
+        let seed = arguments.seed;
+        rendering.questions(seed.unwrap_or(COMMITTED_SEED), seed.is_some())?;
     }
     if whole {
-        let line = drawn("ties", assignment);
-        let rendered = python(checkout, line, Some(COMMITTED_SEED), &staging, &progress)?;
-        enter(&mut manifest, &rendered, &staging)?;
+        rendering.ties(COMMITTED_SEED)?;
     }
-    publish(&staging, &folder)?;
-    manifest.set_scripts(&folder, assignment, checkout)?;
-    manifest.write(&folder)?;
-    progress.clear();
-    let mut said = vec![format!(
-        "{} films in {}",
-        manifest.films.len(),
-        folder.display()
-    )];
+    let mut manifest = rendering.publish()?;
+    let films = manifest.films.len();
+    let mut said = vec![format!("{films} films in {}", folder.display())];
     if !arguments.no_mistakes {
         let scenes = match arguments.scenes.is_empty() {
             true => manifest.scenes(&folder, assignment),
@@ -261,19 +190,31 @@ pub fn make(
     Ok(said)
 }
 
-/// Moves everything that was made into its place.
-fn publish(from: &Path, to: &Path) -> Result<()> {
-    let failed = Error::file(to);
-    fs::create_dir_all(to).or_fail(&failed)?;
-    for entry in fs::read_dir(from).or_fail(&failed)? {
-        let entry = entry.or_fail(&failed)?;
-        let place = to.join(entry.file_name());
-        match entry.path().is_dir() {
-            true => publish(&entry.path(), &place)?,
-            false => fs::rename(entry.path(), &place).or_fail(&failed)?,
-        }
+/// Makes the folder for goldens, unless it exists. If they are secret, refuses a folder that others can
+/// read.
+fn make_folder(folder: &Path, is_secret: bool) -> Result<()> {
+    let cannot_make = Error::input(
+        format!("cannot make {}", folder.display()),
+        "name a folder you may write to",
+    );
+    fs::create_dir_all(folder).or_fail(&cannot_make)?;
+    if !is_secret {
+        return Ok(());
     }
-    fs::remove_dir(from).or_fail(&failed)
+    let mut files = fs::read_dir(folder).or_fail(&cannot_make)?;
+    if files.next().is_none() {
+        make_private(folder).or_fail(&cannot_make)?;
+    }
+    if is_private(folder) {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("others on this machine can read {}", folder.display()),
+        format!(
+            "name a new folder with --out, or, if this one is yours: chmod go-rwx {}",
+            in_shell(&folder.display().to_string())
+        ),
+    ))
 }
 
 /// The scene files to render: those named, or all of the assignment's.
@@ -301,32 +242,6 @@ fn scenes(arguments: &GoldenRender, assignment: &Assignment) -> Result<Vec<PathB
             })
     };
     arguments.scenes.iter().map(find).collect()
-}
-
-/// The arguments that make the scripts draw scenes, questions or ties from a seed.
-fn drawn(what: &str, assignment: &Assignment) -> Vec<OsString> {
-    vec![what.into(), assignment.folder.clone().into()]
-}
-
-fn python(
-    checkout: &Checkout,
-    mut line: Vec<OsString>,
-    seed: Option<Seed>,
-    folder: &Path,
-    progress: &Progress,
-) -> Result<RenderResult> {
-    line.extend(["--out".into(), folder.into()]);
-    let line: Vec<&OsStr> = line.iter().map(OsString::as_os_str).collect();
-    mitsuba::render(checkout, &line, seed, progress)
-}
-
-fn enter(manifest: &mut Manifest, rendered: &RenderResult, folder: &Path) -> Result<()> {
-    manifest.set_renderer(&rendered.renderer);
-    let films = rendered.items.iter().flat_map(|item| &item.files);
-    let films = films.filter(|file| file.extension().is_some_and(|extension| extension == "exr"));
-    films
-        .into_iter()
-        .try_for_each(|film| manifest.add_film(film, folder))
 }
 
 /// Whether a path is inside a folder, however both are spelt.
