@@ -5,7 +5,6 @@ use std::fs;
 use std::path::PathBuf;
 
 use super::hand_in::Upload;
-
 use super::reader::Content;
 use super::reader::file_names::{first, quoted};
 use super::task_names::{file_of, is_similar};
@@ -58,44 +57,86 @@ impl Candidate<'_> {
     }
 }
 
+/// A person's files, by what they may be.
+struct Files<'a> {
+    /// Files that may answer tasks, each with the name of the answer file that it may be.
+    candidates: Vec<(String, Candidate<'a>)>,
+    /// Copies of the course's repository. If there are any, candidates are only in them, because a
+    /// copy contains files of the same names elsewhere too.
+    roots: BTreeSet<Vec<String>>,
+    /// Files beside these copies that would be candidates otherwise.
+    elsewhere: Vec<(String, Candidate<'a>)>,
+    refused: Vec<String>,
+    others: Vec<String>,
+}
+
+impl<'a> Files<'a> {
+    /// `Err` if the machine could not read a file that may be an answer.
+    fn sort(
+        submission: &str,
+        uploads: &'a [Upload],
+        assignment: &Assignment,
+    ) -> Result<Files<'a>, String> {
+        let mut refused = Vec::new();
+        let mut others = Vec::new();
+        let mut candidates: Vec<(String, Candidate)> = Vec::new();
+        for upload in uploads {
+            let path = upload.name(submission);
+            match &upload.content {
+                Content::Unreadable(why) => return Err(format!("`{path}`: {why}")),
+                Content::Refused(why) => refused.push(format!("`{path}`: {why}")),
+                Content::Answer { text, note } => {
+                    let name = upload.path.last().map(String::as_str).unwrap_or_default();
+                    let Some((file, is_exact)) = file_of(name, assignment) else {
+                        others.push(path);
+                        continue;
+                    };
+                    let candidate = Candidate {
+                        upload,
+                        text,
+                        note: *note,
+                        is_exact,
+                    };
+                    candidates.push((file, candidate));
+                }
+                Content::Other => others.push(path),
+                Content::Folder => {}
+            }
+        }
+        let all = candidates.iter();
+        let roots = all.filter_map(|(_, one)| one.repository(assignment));
+        let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
+        let is_elsewhere = |(_, one): &mut (_, Candidate)| {
+            !roots.is_empty() && one.repository(assignment).is_none()
+        };
+        let elsewhere = candidates.extract_if(.., is_elsewhere).collect();
+        Ok(Files {
+            candidates,
+            roots,
+            elsewhere,
+            refused,
+            others,
+        })
+    }
+
+    fn candidates(&self, file: &str) -> Vec<&Candidate<'a>> {
+        let own = self.candidates.iter().filter(|(other, _)| other == file);
+        own.map(|(_, candidate)| candidate).collect()
+    }
+
+    /// Whether the course's repository has a file in the same place.
+    fn is_of_course(&self, path: &[String], assignment: &Assignment) -> bool {
+        let inside = (0..path.len()).filter(|at| self.roots.contains(&path[..*at]));
+        let course = assignment.course();
+        let mut places = inside.map(|at| course.join(path[at..].iter().collect::<PathBuf>()));
+        places.any(|place| place.is_file())
+    }
+}
+
 /// Finds the answers to all tasks. The newest upload counts, and in it, the files at the top or
 /// in `src`. `Err` if the machine could not read a file that may be an answer.
 pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result<Choice, String> {
-    let mut refused = Vec::new();
-    let mut others = Vec::new();
-    let mut candidates: Vec<(String, Candidate)> = Vec::new();
-    for upload in uploads {
-        match &upload.content {
-            Content::Unreadable(why) => return Err(format!("`{}`: {why}", upload.name(name))),
-            Content::Refused(why) => refused.push(format!("`{}`: {why}", upload.name(name))),
-            Content::Answer { text, note } => {
-                let name = upload.path.last().map(String::as_str).unwrap_or_default();
-                let Some((file, is_exact)) = file_of(name, assignment) else {
-                    others.push(upload.name(name));
-                    continue;
-                };
-                let candidate = Candidate {
-                    upload,
-                    text,
-                    note: *note,
-                    is_exact,
-                };
-                candidates.push((file, candidate));
-            }
-            Content::Other => others.push(upload.name(name)),
-            Content::Folder => {}
-        }
-    }
-    // A copy of the course's repository contains files of the same names elsewhere too.
-    let roots = candidates
-        .iter()
-        .filter_map(|(_, one)| one.repository(assignment));
-    let roots: BTreeSet<Vec<String>> = roots.map(<[String]>::to_vec).collect();
-    let mut elsewhere = Vec::new();
-    if !roots.is_empty() {
-        let is_written_here = |(_, one): &mut (_, Candidate)| one.repository(assignment).is_none();
-        elsewhere.extend(candidates.extract_if(.., is_written_here));
-    }
+    let files = Files::sort(name, uploads, assignment)?;
     let mut choice = Choice {
         submission: Submission {
             folder: PathBuf::from(name),
@@ -107,75 +148,18 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
         notes: Vec::new(),
         doubts: Vec::new(),
     };
-    let mut replaced = Vec::new();
-    let examples = assignment.with_examples().map(|task| (task, true));
-    for (task, is_of_examples) in assignment
-        .answerable()
-        .map(|task| (task, false))
-        .chain(examples)
-    {
-        let file = match is_of_examples {
-            true => examples_file(&task.name),
-            false => task.file(),
-        };
-        let own = candidates.iter().filter(|(other, _)| *other == file);
-        let own: Vec<&Candidate> = own.map(|(_, candidate)| candidate).collect();
-        if own.is_empty() && assignment.task(&task.name).is_none() {
-            continue;
-        }
-        let text = match own.is_empty() {
-            true if refused.is_empty() => Err(AnswerFileProblem::Missing),
-            true => Err(AnswerFileProblem::Refused(first(&refused).join("; "))),
-            false => choice.of(&file, &own),
-        };
-        let (submission, name) = (&mut choice.submission, task.name.clone());
-        match is_of_examples {
-            true => submission.examples.push(Answer { task: name, text }),
-            false => submission
-                .answers
-                .extend(Answer::of(assignment, task, text)),
-        }
-        let newest = own.iter().map(|one| one.upload.order).max();
-        let is_older = |one: &&&Candidate| Some(one.upload.order) < newest;
-        let text = choice.submission.text(&file);
-        let differs = |one: &&Candidate| text.is_some_and(|text| said(text) != said(one.text));
-        if own.iter().filter(is_older).any(differs) {
-            replaced.push(file);
-        }
-    }
-    if !replaced.is_empty() {
-        let (files, those) = match replaced.len() {
-            1 => (replaced[0].clone(), "an earlier one"),
-            _ => (replaced.join(", "), "earlier ones"),
-        };
-        let note = format!("{files}: the newest upload was taken, which differs from {those}");
-        choice.notes.push(note);
-    }
-    // Files that the course's repository has in the same places are not the student's.
-    let is_ours = |path: &[String]| {
-        let inside = (0..path.len()).filter(|at| roots.contains(&path[..*at]));
-        let course = assignment.course();
-        let mut places = inside.map(|at| course.join(path[at..].iter().collect::<PathBuf>()));
-        places.any(|place| place.is_file())
+    choice.take_answers(&files, assignment);
+    choice.doubt_files_elsewhere(&files, assignment);
+    let Files {
+        candidates,
+        refused,
+        others,
+        ..
+    } = &files;
+    let is_theirs = |path: &&String| {
+        let path: Vec<String> = path.split('/').map(str::to_owned).collect();
+        !files.is_of_course(&path, assignment)
     };
-    let differs = |(file, one): &&(String, Candidate)| {
-        let own = choice.submission.text(file);
-        let is_other = own.is_some_and(|text| said(text) != said(one.text));
-        is_other && !is_stub(one.text, file, assignment)
-    };
-    let outside = elsewhere.iter().filter(differs).map(|(_, one)| one);
-    let outside: Vec<String> = outside
-        .filter(|one| !is_ours(&one.upload.path))
-        .map(Candidate::path)
-        .collect();
-    if !outside.is_empty() {
-        choice.doubts.push(format!(
-            "the files in `handout/src` were taken instead of {}",
-            quoted(&outside).join(", ")
-        ));
-    }
-    let is_theirs =
-        |path: &&String| !is_ours(&path.split('/').map(str::to_owned).collect::<Vec<_>>());
     let theirs: Vec<&String> = others.iter().filter(is_theirs).collect();
     for task in &assignment.tasks {
         choice.doubt_unanswered(task, &theirs, assignment);
@@ -183,16 +167,81 @@ pub fn choose(name: &str, uploads: &[Upload], assignment: &Assignment) -> Result
     if candidates.is_empty() && refused.is_empty() && !others.is_empty() {
         let note = format!(
             "no answer file was handed in, only {}",
-            quoted(&others).join(", ")
+            quoted(others).join(", ")
         );
         choice.doubts.push(note);
     } else if !candidates.is_empty() {
-        choice.doubts.extend(first(&refused));
+        choice.doubts.extend(first(refused));
     }
     Ok(choice)
 }
 
 impl Choice {
+    /// Takes the answers to all tasks, and the files of examples.
+    fn take_answers(&mut self, files: &Files, assignment: &Assignment) {
+        let mut replaced = Vec::new();
+        let answers = assignment.answerable().map(|task| (task, false));
+        let examples = assignment.with_examples().map(|task| (task, true));
+        for (task, is_of_examples) in answers.chain(examples) {
+            let file = match is_of_examples {
+                true => examples_file(&task.name),
+                false => task.file(),
+            };
+            let own = files.candidates(&file);
+            if own.is_empty() && assignment.task(&task.name).is_none() {
+                continue;
+            }
+            let text = match own.is_empty() {
+                true if files.refused.is_empty() => Err(AnswerFileProblem::Missing),
+                true => Err(AnswerFileProblem::Refused(first(&files.refused).join("; "))),
+                false => self.of(&file, &own),
+            };
+            let (submission, name) = (&mut self.submission, task.name.clone());
+            match is_of_examples {
+                true => submission.examples.push(Answer { task: name, text }),
+                false => submission
+                    .answers
+                    .extend(Answer::of(assignment, task, text)),
+            }
+            let newest = own.iter().map(|one| one.upload.order).max();
+            let is_older = |one: &&&Candidate| Some(one.upload.order) < newest;
+            let text = self.submission.text(&file);
+            let differs = |one: &&Candidate| text.is_some_and(|text| said(text) != said(one.text));
+            if own.iter().filter(is_older).any(differs) {
+                replaced.push(file);
+            }
+        }
+        if !replaced.is_empty() {
+            let (files, those) = match replaced.len() {
+                1 => (replaced[0].clone(), "an earlier one"),
+                _ => (replaced.join(", "), "earlier ones"),
+            };
+            let note = format!("{files}: the newest upload was taken, which differs from {those}");
+            self.notes.push(note);
+        }
+    }
+
+    /// Lists files outside of copies of the course's repository that differ from the answers in them.
+    fn doubt_files_elsewhere(&mut self, files: &Files, assignment: &Assignment) {
+        let differs = |(file, one): &&(String, Candidate)| {
+            let own = self.submission.text(file);
+            let is_other = own.is_some_and(|text| said(text) != said(one.text));
+            is_other && !is_stub(one.text, file, assignment)
+        };
+        let differing = files.elsewhere.iter().filter(differs);
+        let outside = differing.map(|(_, one)| one);
+        let outside: Vec<String> = outside
+            .filter(|one| !files.is_of_course(&one.upload.path, assignment))
+            .map(Candidate::path)
+            .collect();
+        if !outside.is_empty() {
+            self.doubts.push(format!(
+                "the files in `handout/src` were taken instead of {}",
+                quoted(&outside).join(", ")
+            ));
+        }
+    }
+
     /// The text of the best candidate, if one is better than all others.
     fn of(&mut self, file: &str, all: &[&Candidate]) -> Text {
         let newest = all.iter().map(|one| one.upload.order).max();
