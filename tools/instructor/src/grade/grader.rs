@@ -20,7 +20,7 @@ use super::redact::{Withheld, redact_scene};
 use super::shared_answers;
 use pinhole_course::assignment::{Assignment, Task};
 use pinhole_course::checkout::Checkout;
-use pinhole_course::compile::{Attempt, Compiler};
+use pinhole_course::compile::{Attempt, Compiler, Program};
 use pinhole_course::error::{Error, Result};
 use pinhole_course::examine::{Examiner, Selection};
 use pinhole_course::examples::add_handed_in;
@@ -153,43 +153,7 @@ impl Grader<'_> {
             Attempt::Program(program) => program,
         };
         let compiled = start.elapsed();
-        let examiner = |goldens, withheld| Examiner {
-            assignment: self.assignment,
-            goldens,
-            program: &program,
-            sandbox: &sandbox,
-            wall: Duration::MAX,
-            interactive: false,
-            second_judge: None,
-            clock: Some(clock),
-            withheld,
-            known: None,
-            progress: &|_, _| {},
-        };
-        let everything = Selection::default();
-        let public = examiner(self.goldens, &self.withheld.scenes);
-        let public = public.begin(submission, &everything)?;
-        let (mut examination, fresh) = match self.fresh {
-            None => (public.finish()?, None),
-            Some(goldens) => {
-                let scenes = goldens.scenes.iter().map(|scene| scene.name.clone());
-                let selection = Selection {
-                    tasks: public.promising_tasks(),
-                    scenes: scenes.collect(),
-                };
-                // Nobody has fresh scenes.
-                let fresh = examiner(goldens, &selection.scenes);
-                // Ask fresh questions about tasks before anything withheld. See `begin`.
-                let fresh = fresh.begin(submission, &selection)?;
-                let examination = public.finish()?;
-                let mut scenes = examination.outcome.scenes.iter();
-                let fresh = match scenes.any(|scene| scene.outcome.passes()) {
-                    true => fresh.finish()?,
-                    false => fresh.without_scenes().finish()?,
-                };
-                (examination, Some(fresh))
-            }
-        };
+        let (mut examination, fresh) = self.examine(submission, &program, &sandbox, clock)?;
         if sandbox.is_starved() {
             return Err(Error::environment(
                 "other programs on this machine kept it from running",
@@ -241,6 +205,51 @@ impl Grader<'_> {
             report: Some(page),
             evidence: Some(evidence),
         })
+    }
+
+    /// Asks the questions of the goldens and, if there are any, fresh questions.
+    fn examine(
+        &self,
+        submission: &Submission,
+        program: &Program,
+        sandbox: &Sandbox,
+        clock: &SubmissionClock,
+    ) -> Result<(Examination, Option<Examination>)> {
+        let examiner = |goldens, withheld| Examiner {
+            assignment: self.assignment,
+            goldens,
+            program,
+            sandbox,
+            wall: Duration::MAX,
+            interactive: false,
+            second_judge: None,
+            clock: Some(clock),
+            withheld,
+            known: None,
+            progress: &|_, _| {},
+        };
+        let everything = Selection::default();
+        let public = examiner(self.goldens, &self.withheld.scenes);
+        let public = public.begin(submission, &everything)?;
+        let Some(goldens) = self.fresh else {
+            return Ok((public.finish()?, None));
+        };
+        let scenes = goldens.scenes.iter().map(|scene| scene.name.clone());
+        let selection = Selection {
+            tasks: public.promising_tasks(),
+            scenes: scenes.collect(),
+        };
+        // Nobody has fresh scenes.
+        let fresh = examiner(goldens, &selection.scenes);
+        // Ask fresh questions about tasks before anything withheld. See `begin`.
+        let fresh = fresh.begin(submission, &selection)?;
+        let examination = public.finish()?;
+        let mut scenes = examination.outcome.scenes.iter();
+        let fresh = match scenes.any(|scene| scene.outcome.passes()) {
+            true => fresh.finish()?,
+            false => fresh.without_scenes().finish()?,
+        };
+        Ok((examination, Some(fresh)))
     }
 
     /// See [`crate::scene_cap`].
