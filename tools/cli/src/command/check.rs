@@ -1,6 +1,6 @@
 //! `pinhole check`: judges the answers.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::thread;
 
 use clap::ValueEnum;
@@ -93,81 +93,122 @@ pub fn run(checkout: &Checkout, arguments: &Check) -> Result<Status> {
     };
     let mut examination = examiner.examine(&submission, &selection)?;
     progress.clear();
-    let outcome = &mut examination.outcome;
-    add_handed_in(outcome, &submission, &assignment, checkout, true)?;
-    let outcome = &examination.outcome;
-
+    add_handed_in(
+        &mut examination.outcome,
+        &submission,
+        &assignment,
+        checkout,
+        true,
+    )?;
     let path = match &arguments.report {
         Some(path) => Some(path.clone()),
         None if arguments.no_report => None,
         None => Some(default_report),
     };
+    let done = Checked {
+        arguments,
+        checkout,
+        examiner: &examiner,
+        submission: &submission,
+        selection: &selection,
+        examination: &examination,
+    };
     // Show the verdict even if the report could not be written, because it matters more.
-    let written = path.map(|path| {
-        timed("write the report", || {
-            let mut report =
-                Report::of_examination(&examination, &goldens.folder, &again(arguments))?;
-            report.book = passage::built(checkout.root());
-            report.finish = Finish::of(&examination, &assignment, &again(arguments).part)
-                .map(FinishSection::of);
-            report.write(&path).map(|()| path)
-        })
-    });
+    let written = path.map(|path| timed("write the report", || done.write_report(path)));
     let path = match &written {
-        Some(Ok(path)) => Some(path),
+        Some(Ok(path)) => Some(path.as_path()),
         _ => None,
     };
     let packed = match &arguments.pack {
-        Some(zip) => Some((zip, submission.pack(zip, &assignment)?)),
+        Some(zip) => Some((zip.as_path(), submission.pack(zip, &assignment)?)),
         None => None,
     };
-    if arguments.json {
-        let mut document = json::document(outcome);
-        document["report"] = path.map(|path| path.display().to_string()).into();
+    match arguments.json {
+        true => done.print_json(path, packed),
+        false => done.print(path, packed)?,
+    }
+    written.transpose()?;
+    Ok(if examination.outcome.passes {
+        Status::Well
+    } else {
+        Status::JudgedWrong
+    })
+}
+
+/// What `check` has found out, to be shown.
+struct Checked<'a> {
+    arguments: &'a Check,
+    checkout: &'a Checkout,
+    examiner: &'a Examiner<'a>,
+    submission: &'a Submission,
+    selection: &'a Selection,
+    examination: &'a Examination,
+}
+
+/// An archive for handing in, and how many files it holds.
+type Packed<'a> = (&'a Path, usize);
+
+impl Checked<'_> {
+    /// The picture for a student who has all points.
+    fn finish(&self) -> Option<Finish> {
+        let again = again(self.arguments);
+        Finish::of(self.examination, self.examiner.assignment, &again.part)
+    }
+
+    fn write_report(&self, path: PathBuf) -> Result<PathBuf> {
+        let golden = &self.examiner.goldens.folder;
+        let mut report = Report::of_examination(self.examination, golden, &again(self.arguments))?;
+        report.book = passage::built(self.checkout.root());
+        report.finish = self.finish().map(FinishSection::of);
+        report.write(&path).map(|()| path)
+    }
+
+    fn print_json(&self, report: Option<&Path>, packed: Option<Packed>) {
+        let mut document = json::document(&self.examination.outcome);
+        document["report"] = report.map(|path| path.display().to_string()).into();
         if let Some((zip, _)) = packed {
             document["packed"] = zip.display().to_string().into();
         }
-        if arguments.timings {
+        if self.arguments.timings {
             document["timings"] = json::document(&Timings::so_far());
         }
         anstream::println!("{document:#}");
-    } else {
-        anstream::print!("{}", terminal::examination(&examination));
-        if let Some(path) = path {
+    }
+
+    fn print(&self, report: Option<&Path>, packed: Option<Packed>) -> Result<()> {
+        let outcome = &self.examination.outcome;
+        anstream::print!("{}", terminal::examination(self.examination));
+        if let Some(path) = report {
             let path = from_here(path).display().to_string();
             anstream::println!("\nreport: {}", printable(&path));
         }
         let zip = packed.map(|(zip, files)| {
             let zip = printable(&zip.display().to_string());
-            let answers = match (files, submission.examples.is_empty()) {
+            let answers = match (files, self.submission.examples.is_empty()) {
                 (1, _) => "answer",
                 (_, true) => "answers",
                 (_, false) => "files",
             };
-            let rest = worth_of_packed(outcome, selection.is_everything());
+            let rest = worth_of_packed(outcome, self.selection.is_everything());
             anstream::println!("packed: {zip} holds {files} {answers}; {rest}");
             zip
         });
-        match Finish::of(&examination, &assignment, &again(arguments).part) {
+        match self.finish() {
             Some(finish) => {
                 let pack = zip.unwrap_or(finish.pack);
-                show_finish(&Finish { pack, ..finish }, &checkout.scratch())?;
+                show_finish(&Finish { pack, ..finish }, &self.checkout.scratch())?;
             }
-            None => show_next(&examiner, &submission, &examination)?,
+            None => show_next(self.examiner, self.submission, self.examination)?,
         }
-        if arguments.timings {
+        if self.arguments.timings {
             anstream::print!("\n{}", Timings::so_far());
         }
-        if let Some(passage) = arguments.read.then(|| worth_reading(outcome)).flatten() {
-            read::open(&passage, checkout);
+        let wants_to_read = self.arguments.read;
+        if let Some(passage) = wants_to_read.then(|| worth_reading(outcome)).flatten() {
+            read::open(&passage, self.checkout);
         }
+        Ok(())
     }
-    written.transpose()?;
-    Ok(if outcome.passes {
-        Status::Well
-    } else {
-        Status::JudgedWrong
-    })
 }
 
 /// Prints the file to edit next. It belongs to the task to begin with, if that lacks points, or
