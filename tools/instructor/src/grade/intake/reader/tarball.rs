@@ -7,7 +7,7 @@ use std::rc::Rc;
 use flate2::read::MultiGzDecoder;
 use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
-use tar::{Archive, Entry, EntryType, PaxExtensions};
+use tar::{Archive, Entry, EntryType};
 
 use super::limits::{LimitedStream, Limits, TOO_SLOW};
 use super::unpack::{ReadFailure, UnreadFile};
@@ -114,7 +114,7 @@ fn each(
                     bytes.truncate(bytes.iter().take_while(|byte| **byte != 0).count());
                     long_name = Some(bytes);
                 }
-                _ => long_name = name_in(&bytes).or(long_name),
+                _ => long_name = name_in(&bytes)?.or(long_name),
             }
             continue;
         }
@@ -131,11 +131,24 @@ fn each(
     Ok(())
 }
 
-/// The name in an extended header.
-fn name_in(bytes: &[u8]) -> Option<Vec<u8>> {
-    let fields = PaxExtensions::new(bytes).flatten();
-    let mut names = fields.filter(|field| field.key_bytes() == b"path");
-    names.next().map(|field| field.value_bytes().to_owned())
+/// The name in an extended header, which has records like `17 path=ada/a.rs\n` (POSIX.1-2008, pax,
+/// "pax Header Block"). A name may contain line breaks, so only the length says where a record ends.
+/// The last record may be cut off, but then the name is too long anyway.
+fn name_in(mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
+    let mut name = None;
+    while let Some(space) = bytes.iter().position(|byte| *byte == b' ') {
+        let length = std::str::from_utf8(&bytes[..space]).ok();
+        let length = length.and_then(|it| it.parse().ok()).unwrap_or(0);
+        let (record, rest) = bytes.split_at(bytes.len().min(length));
+        let Some(record) = record.get(space + 1..) else {
+            return Err("its contents make no sense (in an extended header)".into());
+        };
+        if let Some(path) = record.strip_prefix(b"path=") {
+            name = Some(path.strip_suffix(b"\n").unwrap_or(path).to_owned());
+        }
+        bytes = rest;
+    }
+    Ok(name)
 }
 
 #[cfg(test)]
@@ -143,6 +156,35 @@ mod tests {
     use std::time::Duration;
 
     use super::*;
+
+    #[test]
+    fn only_its_length_ends_a_record() {
+        let record = |key: &str, value: &str| {
+            let rest = format!(" {key}={value}\n");
+            let length = (rest.len()..).find(|all| all.to_string().len() + rest.len() == *all);
+            format!(
+                "{}{rest}",
+                length.expect("lengths grow faster than their digits")
+            )
+        };
+        let name =
+            |header: &str| name_in(header.as_bytes()).map(|name| name.map(|it| text::name(&it)));
+        let named = |it: &str| Ok(Some(it.to_owned()));
+        let forged = "eve/x\n22 path=ada/sphere.rs";
+        let time = record("mtime", "1.5");
+        assert_eq!(
+            name(&format!("{time}{}", record("path", forged))),
+            named(forged)
+        );
+        let last = record("path", "a") + &record("path", "b") + &time;
+        assert_eq!(name(&last), named("b"));
+        assert_eq!(name(&time), Ok(None));
+        // The rest is cut off.
+        assert_eq!(name("12 path=eve"), named("eve"));
+        for broken in ["x path=eve\n", "1 path=eve\n", " path=eve\n"] {
+            assert!(name(broken).is_err());
+        }
+    }
 
     #[test]
     fn clock_ends_the_reading_of_an_archive_that_unpacks_to_nothing() {

@@ -241,3 +241,28 @@ fn two_files_with_one_path_in_an_archive_of_a_class_are_refused_alone() {
         "{mallory:?}"
     );
 }
+
+#[test]
+fn a_line_break_in_a_folders_name_hands_in_nothing_for_others() {
+    let mut tar = tar::Builder::new(Vec::new());
+    let mut add = |path: &str, bytes: &[u8]| {
+        let path = [("path", path.as_bytes())];
+        tar.append_pax_extensions(path)
+            .expect("memory can be written");
+        let mut header = tar::Header::new_ustar();
+        header.set_size(bytes.len() as u64);
+        let added = tar.append_data(&mut header, "cut", bytes);
+        added.expect("memory can be written");
+    };
+    let [ada, eve] = ["Ada", "Eve"].map(|name| format!("hw1/{name}_1_assignsubmission_file/"));
+    for (path, bytes) in [answers(&ada, "ada"), answers(&eve, "eve")].concat() {
+        add(&path, &bytes);
+    }
+    for (theirs, bytes) in answers(&ada, "eve") {
+        let record = format!(" path={theirs}");
+        add(&format!("{eve}x\n{}{record}", record.len() + 3), &bytes);
+    }
+    let export = Export::new();
+    export.put("class.tar", &tar.into_inner().expect("it ends"));
+    export.is_of("class.tar", &["Ada_1", "Eve_1"]);
+}
