@@ -50,7 +50,7 @@ use crate::error::Result;
 use crate::error::ResultExt;
 use crate::rust_tool::rust_tool;
 use budget::Budget;
-pub use finish::{CommandResult, finish};
+pub use finish::{CommandResult, MOST_SAID, finish};
 pub use limits::Limits;
 use watch::{ExceededLimit, Watch};
 

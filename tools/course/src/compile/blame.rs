@@ -79,18 +79,45 @@ impl Diagnostic {
     }
 }
 
+/// Answers that are to be replaced.
+#[derive(Default)]
+pub struct Blamed {
+    pub replaced: Replacements,
+    /// Those in which the compiler found an error. It did not run out of time on them, so they can be
+    /// tried again.
+    pub again: BTreeSet<String>,
+}
+
+impl Blamed {
+    pub fn extend(&mut self, other: Blamed) {
+        self.replaced.extend(other.replaced);
+        self.again.extend(other.again);
+    }
+
+    fn add(&mut self, task: &str, diagnostics: &[Diagnostic]) {
+        let why = Replacement::DoesNotCompile(rendered(diagnostics));
+        self.replaced.insert(task.to_owned(), why);
+        if has_place(diagnostics) {
+            self.again.insert(task.to_owned());
+        }
+    }
+}
+
 /// Errors by the answer that they point at. An error that points at several answers is attributed
 /// to none; compiling the others without each of these shows which one is wrong.
 pub fn by_place(
     diagnostics: &[Diagnostic],
     submission: &Submission,
     already: &Replacements,
-) -> Replacements {
+) -> Blamed {
     let errors = of_level("error", diagnostics, submission, already);
-    errors
-        .into_iter()
-        .map(|(task, text)| (task, Replacement::DoesNotCompile(text)))
-        .collect()
+    Blamed {
+        again: errors.keys().cloned().collect(),
+        replaced: errors
+            .into_iter()
+            .map(|(task, text)| (task, Replacement::DoesNotCompile(text)))
+            .collect(),
+    }
 }
 
 /// Warnings by the answer that they point at.
@@ -177,7 +204,8 @@ pub fn apart(
     already: &Replacements,
     worthless: Option<&String>,
     compile: impl Fn(&Replacements) -> Result<BuildResult, Stopped>,
-) -> Result<Option<Replacements>, Stopped> {
+) -> Result<Option<Blamed>, Stopped> {
+    let mut blamed = Blamed::default();
     let tasks = submission.answers.iter().map(|answer| answer.task.clone());
     let missing = || Replacement::Unusable(AnswerFileProblem::Missing);
     let stubs: Replacements = tasks.map(|task| (task, missing())).collect();
@@ -185,11 +213,7 @@ pub fn apart(
         return Ok(None);
     }
     let BuildResult::Refused { diagnostics, .. } = compile(already)? else {
-        return Ok(Some(Replacements::new()));
-    };
-    let blame = |task: &String, diagnostics: &[Diagnostic]| {
-        let text = rendered(diagnostics);
-        (task.clone(), Replacement::DoesNotCompile(text))
+        return Ok(Some(blamed));
     };
     let suspects = stubs.keys().filter(|task| !already.contains_key(*task));
     let mut suspects: Vec<&String> = suspects.collect();
@@ -198,23 +222,21 @@ pub fn apart(
         let mut without = already.clone();
         without.insert((*suspect).clone(), missing());
         if let BuildResult::Program { .. } = compile(&without)? {
-            return Ok(Some([blame(suspect, &diagnostics)].into()));
+            blamed.add(suspect, &diagnostics);
+            return Ok(Some(blamed));
         }
     }
-    let mut blamed = Replacements::new();
     for &suspect in &suspects {
         let mut others = stubs.clone();
         others.remove(suspect);
         if let BuildResult::Refused { diagnostics, .. } = compile(&others)? {
-            blamed.extend([blame(suspect, &diagnostics)]);
+            blamed.add(suspect, &diagnostics);
         }
     }
-    if blamed.is_empty() {
-        blamed.extend(
-            suspects
-                .into_iter()
-                .map(|suspect| blame(suspect, &diagnostics)),
-        );
+    if blamed.replaced.is_empty() {
+        for suspect in suspects {
+            blamed.add(suspect, &diagnostics);
+        }
     }
     Ok(Some(blamed))
 }
@@ -280,7 +302,7 @@ mod tests {
             let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), None, compile) else {
                 panic!("the stubs compile")
             };
-            blamed.len()
+            blamed.replaced.len()
         };
         assert_eq!(blamed(true), 0);
         assert_eq!(blamed(false), submission.answers.len());

@@ -14,7 +14,7 @@ use super::harness::Harness;
 use super::prune;
 use crate::error::{Error, Result, ResultExt};
 use crate::private::{allow, make_private};
-use crate::sandbox::{CommandResult, Limits, Sandbox};
+use crate::sandbox::{CommandResult, Limits, MOST_SAID, Sandbox};
 use crate::timings::timed;
 
 /// The executable's name on this system.
@@ -93,11 +93,21 @@ pub fn build(
     }
     let limits = sandbox.within_budget(&Limits::of_compiler());
     let not_started = Error::environment("cannot start rustc", "install Rust from rustup.rs");
-    let mut rustc = sandbox
-        .compiler(&fresh, &harness.folder, &limits)
-        .or_fail(&not_started)?;
-    arguments(&mut rustc, harness, sources, shown_in);
-    let finished = timed("rustc", || sandbox.compile(rustc, &limits)).or_fail(&not_started)?;
+    let compile = |more: &[&str]| {
+        let mut rustc = sandbox.compiler(&fresh, &harness.folder, &limits)?;
+        arguments(&mut rustc, harness, sources, shown_in);
+        rustc.args(more);
+        timed("rustc", || sandbox.compile(rustc, &limits))
+    };
+    let mut finished = compile(&[]).or_fail(&not_started)?;
+    let is_cut = finished.stderr.len() == MOST_SAID;
+    if is_cut
+        && !finished.status.success()
+        && !blame::has_error(&blame::diagnostics(&finished.stderr))
+    {
+        // Warnings may have left no room for errors.
+        finished = compile(&["-Awarnings"]).or_fail(&not_started)?;
+    }
     if finished.status.success() && is_program(&out.join(PROGRAM)) {
         fs::rename(out.join(PROGRAM), fresh.join(PROGRAM))
             .and_then(|()| fs::remove_dir_all(&out))

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use pinhole::ask::Stop;
 
-use super::blame::{self, Diagnostic};
+use super::blame::{self, Blamed, Diagnostic};
 use super::build::{self, BuildResult, Sources, build};
 use super::{Attempt, Compiler, Program, Replacement, Replacements, WithOurs};
 use crate::error::{Error, Result};
@@ -75,7 +75,7 @@ impl<'a> Rounds<'a> {
     ) -> Result<Attempt, Stopped> {
         let (mut replaced, mut unclear) = self.refused_unread();
         let mut is_last = false;
-        let mut blamed_so_far = BTreeSet::new();
+        let mut blamed_so_far = Blamed::default();
         // Each round replaces at least one answer, except the last one, and one after a compiler that
         // failed for no answer's fault. So there are at most this many rounds.
         for _ in 0..self.submission.answers.len() + 2 {
@@ -110,7 +110,7 @@ impl<'a> Rounds<'a> {
                 }
                 BuildResult::Refused { diagnostics, .. } => {
                     let mut blamed = blame::by_place(&diagnostics, self.submission, &replaced);
-                    if blamed.is_empty() || is_last {
+                    if blamed.replaced.is_empty() || is_last {
                         let compile = |replaced: &Replacements| self.compile(replaced);
                         blamed = blame::apart(
                             self.submission,
@@ -120,10 +120,8 @@ impl<'a> Rounds<'a> {
                         )?
                         .ok_or_else(|| blame::not_theirs(&diagnostics))?;
                     }
-                    if blame::has_place(&diagnostics) {
-                        blamed_so_far.extend(blamed.keys().cloned());
-                    }
-                    replaced.extend(blamed);
+                    replaced.extend(blamed.replaced.clone());
+                    blamed_so_far.extend(blamed);
                 }
             }
         }
@@ -182,42 +180,65 @@ impl<'a> Rounds<'a> {
         }
     }
 
-    /// Tries blamed answers again while there is time. An answer may have been blamed only because it
-    /// uses, or clashes with, another one that was replaced later. Answers that use each other can only
-    /// return together.
+    /// Tries blamed answers again: all together, and then, while there is time, each alone and with
+    /// those that it uses, until none can return. An answer may have been blamed only because it uses,
+    /// or clashes with, another one that was replaced later.
     fn restore(
         &self,
-        blamed: &BTreeSet<String>,
+        blamed: &Blamed,
         replaced: &mut Replacements,
         built: &mut Built,
         is_done: &dyn Fn() -> bool,
     ) -> Result<(), Stopped> {
-        if blamed.len() < 2 {
+        let Blamed {
+            replaced: all,
+            again,
+        } = blamed;
+        if again.len() < all.len() && self.without(again, replaced, built)? {
             return Ok(());
         }
-        for task in blamed {
-            let alone = BTreeSet::from([task.clone()]);
-            let with_used = self.with_used(task, blamed);
-            for tasks in BTreeSet::from([alone, with_used]) {
-                if is_done() {
-                    return Ok(());
-                }
-                let mut fewer = replaced.clone();
-                fewer.retain(|task, _| !tasks.contains(task));
-                if fewer.len() == replaced.len() {
-                    continue;
-                }
-                if let BuildResult::Program {
-                    executable,
-                    warnings,
-                } = self.compile(&fewer)?
-                {
-                    *built = (executable, warnings);
-                    *replaced = fewer;
+        if again.len() < 2 {
+            return Ok(());
+        }
+        loop {
+            let before = replaced.len();
+            for task in again {
+                let alone = BTreeSet::from([task.clone()]);
+                for tasks in BTreeSet::from([alone, self.with_used(task, again)]) {
+                    if is_done() {
+                        return Ok(());
+                    }
+                    self.without(&tasks, replaced, built)?;
                 }
             }
+            if replaced.len() == before {
+                return Ok(());
+            }
         }
-        Ok(())
+    }
+
+    /// Stops replacing the answers to `tasks` if the rest compiles with them. Returns whether it did.
+    fn without(
+        &self,
+        tasks: &BTreeSet<String>,
+        replaced: &mut Replacements,
+        built: &mut Built,
+    ) -> Result<bool, Stopped> {
+        let mut fewer = replaced.clone();
+        fewer.retain(|task, _| !tasks.contains(task));
+        if fewer.len() == replaced.len() {
+            return Ok(false);
+        }
+        let BuildResult::Program {
+            executable,
+            warnings,
+        } = self.compile(&fewer)?
+        else {
+            return Ok(false);
+        };
+        *built = (executable, warnings);
+        *replaced = fewer;
+        Ok(true)
     }
 
     /// A task, and those among `tasks` whose answers its answer seems to use, directly or not.
@@ -225,12 +246,13 @@ impl<'a> Rounds<'a> {
         let mut all = BTreeSet::from([task.to_owned()]);
         let mut new = vec![task.to_owned()];
         while let Some(task) = new.pop() {
-            let text = self
-                .submission
-                .answer(&task)
-                .and_then(|it| it.text.as_ref().ok());
-            let is_used =
-                |other: &&String| text.is_some_and(|it| it.contains(&format!("{other}::")));
+            let answer = self.submission.answer(&task);
+            let text = answer.and_then(|it| it.text.as_deref().ok());
+            let text = text.unwrap_or_default();
+            let is_used = |other: &&String| {
+                let paths = [format!("{other}::"), format!("{other} as ")];
+                paths.iter().any(|path| text.contains(path))
+            };
             for used in tasks.iter().filter(is_used) {
                 if all.insert(used.clone()) {
                     new.push(used.clone());
@@ -393,10 +415,41 @@ mod tests {
         let edits: [fn(&str) -> String; 4] = [
             renamed,
             |text| format!("{text}\npub fn a() {{ crate::plane::b() }}"),
-            |text| format!("{text}\npub fn b() {{ crate::sphere::a() }}"),
+            |text| format!("use crate::sphere as s;\n{text}\npub fn b() {{ s::a() }}"),
             no_impl,
         ];
         assert_eq!(replaced(&edits, false), [0, 3]);
+    }
+
+    #[test]
+    fn an_answer_returns_after_those_that_it_needs() {
+        let renamed = |text: &str| text.replacen("pub fn viewing_ray", "pub fn unexpected", 1);
+        let no_impl = |text: &str| text.split("impl IntersectRay").next().unwrap().to_owned();
+        // The middle one of the chain is tried first.
+        let edits: [fn(&str) -> String; 5] = [
+            renamed,
+            |text| format!("{text}\npub fn a() {{}}"),
+            |text| format!("use crate::sphere as s;\n{text}\npub fn b() {{ s::a() }}"),
+            no_impl,
+            |text| format!("{text}\npub fn c() {{ crate::plane::b() }}"),
+        ];
+        assert_eq!(replaced(&edits, false), [0, 3]);
+    }
+
+    #[test]
+    fn an_answer_that_kills_the_compiler_is_alone_to_blame() {
+        let edits: [fn(&str) -> String; 3] = [
+            |text| {
+                format!(
+                    "{text}\nconst A: u8 = {}1{};",
+                    "(".repeat(60_000),
+                    ")".repeat(60_000)
+                )
+            },
+            |text| format!("{text}\npub fn a() {{}}"),
+            |text| format!("{text}\npub fn b() {{ crate::sphere::a() }}"),
+        ];
+        assert_eq!(replaced(&edits, false), [0]);
     }
 
     /// Two answers that are edited like this don't compile together.
@@ -413,6 +466,15 @@ mod tests {
     #[test]
     fn only_one_of_two_answers_that_clash_is_replaced() {
         assert_eq!(replaced(&[clash, clash], false).len(), 1);
+    }
+
+    #[test]
+    fn a_flood_of_warnings_hides_no_error() {
+        let flood: fn(&str) -> String = |text| {
+            let unused = |k| format!("fn f{k}() {{ let x = ((1)); }}\n");
+            clash(text) + &(0..1500).map(unused).collect::<String>()
+        };
+        assert_eq!(replaced(&[clash, flood], false).len(), 1);
     }
 
     #[test]
