@@ -123,7 +123,9 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     // In Canvas's gradebook, `ID` is Canvas's own number, and in Moodle's German lists, Moodle's.
     let is_points = |(_, row): &(u64, csv::StringRecord)| {
         let cell = |at: Option<usize>| at.and_then(|at| row.get(at)).unwrap_or_default().trim();
-        cell(Some(id)).is_empty() && cell(name.or(parts[1])) == POINTS_POSSIBLE
+        // Someone may call themselves so.
+        let is_nobody = ids.iter().all(|at| cell(Some(*at)).is_empty());
+        is_nobody && cell(name.or(parts[1])) == POINTS_POSSIBLE
     };
     let is_platforms =
         of(&["sisuserid", "sisloginid", "idnummer"]).is_some() || table.rows.iter().any(is_points);
@@ -373,6 +375,15 @@ mod tests {
         ] {
             let said = people(text.as_bytes()).expect_err(text);
             assert!(said.contains(why), "{said}");
+        }
+    }
+
+    #[test]
+    fn nobody_turns_ids_into_canvas_numbers_by_a_name() {
+        for name in ["Eve", POINTS_POSSIBLE] {
+            let text = format!("id,name,email address\n7,Ada,ada@x.org\n,{name},eve@x.org\n");
+            let people = people(text.as_bytes()).expect("it is a roster");
+            assert_eq!((&*people[0].id, &people[0].number), ("7", &None), "{name}");
         }
     }
 }
