@@ -1,7 +1,7 @@
 //! A submission in a ZIP file. Only the answers are unpacked, and only into memory.
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -92,6 +92,29 @@ pub fn open(path: &Path) -> Result<Archive<Cursor<Vec<u8>>>> {
     }
 }
 
+/// The names that the list of contents, which starts at this byte, has more than once (APPNOTE.TXT,
+/// "4.3.12 Central directory structure"). It ends where something else begins.
+fn repeated_names(reader: &mut (impl Read + Seek), start: u64) -> BTreeSet<Vec<u8>> {
+    const SIGNATURE: &[u8] = b"PK\x01\x02";
+    let (mut all, mut repeated) = (BTreeSet::new(), BTreeSet::new());
+    let mut header = [0; 46];
+    let mut next = reader.seek(SeekFrom::Start(start));
+    while next.is_ok() && reader.read_exact(&mut header).is_ok() && header.starts_with(SIGNATURE) {
+        let length = |at: usize| u16::from_le_bytes([header[at], header[at + 1]]);
+        let mut name = vec![0; length(28).into()];
+        if reader.read_exact(&mut name).is_err() {
+            break;
+        }
+        if !all.insert(name.clone()) {
+            repeated.insert(name);
+        }
+        next = reader.seek(SeekFrom::Current(
+            i64::from(length(30)) + i64::from(length(32)),
+        ));
+    }
+    repeated
+}
+
 impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents, of which no more than this many bytes are read.
     ///
@@ -105,13 +128,27 @@ impl<R: Read + Seek> Archive<R> {
             inner,
             left: left.clone(),
         };
-        let mut zip = ZipArchive::new(metered)
-            .map_err(|error| format!("it is damaged, or not a ZIP file ({error})"))?;
+        let open = |reader| {
+            ZipArchive::new(reader)
+                .map_err(|error| format!("it is damaged, or not a ZIP file ({error})"))
+        };
+        let mut zip = open(metered)?;
+        let (mut files, mut misplaced) = (BTreeMap::new(), Vec::new());
         if zip.has_duplicate_names() {
-            return Err("it holds two files with the same name".into());
+            // The library tells nothing more about them, and keeps only one file of each name.
+            let start = zip.central_directory_start();
+            let mut reader = zip.into_inner();
+            left.set(most_read);
+            for name in repeated_names(&mut reader, start) {
+                misplaced.push((text::name(&name), "appears twice"));
+            }
+            if misplaced.is_empty() {
+                return Err("it holds two files with the same name".into());
+            }
+            left.set(most_read);
+            zip = open(reader)?;
         }
         left.set(most_read);
-        let (mut files, mut misplaced) = (BTreeMap::new(), Vec::new());
         for index in 0..zip.len() {
             let entry = zip
                 .by_index_raw(index)

@@ -98,11 +98,7 @@ fn paths_that_lead_elsewhere_refuse_the_whole_archive() {
 fn two_files_of_one_name_refuse_the_whole_archive() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("spherX.rs", b"// two")]);
     forge(&path, b"spherX.rs", b"sphere.rs");
-    assert!(
-        refusal(&path).contains("two files with the same name"),
-        "{}",
-        refusal(&path)
-    );
+    assert!(refusal(&path).contains("twice"), "{}", refusal(&path));
     let (_folder, path) = archive(&[("src/sphere.rs", b"// one"), ("src\\sphere.rs", b"// two")]);
     assert!(refusal(&path).contains("twice"), "{}", refusal(&path));
 }
