@@ -22,7 +22,8 @@ pub fn with_account<'a>(
     let mut people = index.people.iter();
     if let Some(person) = people.find(|it| it.number.as_deref() == Some(number)) {
         let mut named = index.whole(name).filter(|(_, kind)| kind.is_name());
-        let is_named = named.any(|(it, _)| it == person);
+        // A group may be named by a number.
+        let is_named = named.any(|(it, _)| it == person) && !(may_be_group && is_in_group(person));
         let proof = match (is_named || share_word(name, &person.name), may_be_group) {
             (true, false) => Proof::Id,
             (true, true) if is_named => Proof::Id,
@@ -31,7 +32,8 @@ pub fn with_account<'a>(
         };
         // A group's name may have a word in common with the person whose number it has.
         let mut others = index.people.iter();
-        let of_group = others.find(|it| may_be_group && !is_named && is_in_group(it));
+        let of_group =
+            others.find(|it| may_be_group && !is_named && is_in_group(it) && *it != person);
         return (proof, [person].into_iter().chain(of_group).collect());
     }
     let by_name = index.whole(name).map(|(person, _)| person);

@@ -197,6 +197,12 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
     let name = "Ada Lovelace_2001_assignsubmission_file";
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+    // Another group's name may look like that of her group.
+    people[0].group = Some("1".into());
+    people[3].group = Some("1.".into());
+    let name = "1._2001_assignsubmission_file";
+    let placed = place(&entries(&[name]), Some(&people));
+    assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     // The group's members have numbers of their own.
     people[3].group = Some("Ada fans".into());
     let name = "Ada fans_3001_assignsubmission_file";

@@ -7,7 +7,7 @@ use std::rc::Rc;
 use flate2::read::MultiGzDecoder;
 use pinhole_course::submission::archive::plain_path;
 use pinhole_course::submission::text;
-use tar::{Archive, Entry, EntryType};
+use tar::{Archive, Entry, EntryType, GnuHeader};
 
 use super::limits::{LimitedStream, Limits, TOO_SLOW};
 use super::unpack::{ReadFailure, UnreadFile};
@@ -121,6 +121,10 @@ fn each(
         if kind == EntryType::GNULongLink {
             continue;
         }
+        // Its list of holes may go on where the reader expects the content.
+        if entry.header().as_gnu().is_some_and(GnuHeader::is_extended) && kind.is_gnu_sparse() {
+            return Err("it holds a sparse file with many holes; pack it without -S".into());
+        }
         let name = long_name.take();
         let mut name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
         name.truncate(MOST_NAME + 1);
@@ -184,6 +188,20 @@ mod tests {
         for broken in ["x path=eve\n", "1 path=eve\n", " path=eve\n"] {
             assert!(name(broken).is_err());
         }
+    }
+
+    #[test]
+    fn holes_of_a_sparse_file_are_not_taken_for_files() {
+        let mut header = tar::Header::new_gnu();
+        header.set_entry_type(EntryType::GNUSparse);
+        header.set_size(0);
+        header.as_gnu_mut().expect("it is new").isextended = [1];
+        header.set_cksum();
+        let mut file = tempfile::tempfile().expect("there is room");
+        let written = file.write_all(&[&header.as_bytes()[..], &[0; 3 * 512]].concat());
+        written.and_then(|()| file.rewind()).expect("there is room");
+        let result = read(&mut Reader::new(&|_| true), file, &[], 0);
+        assert!(matches!(result, Err(ReadFailure::Refused(why)) if why.contains("sparse")));
     }
 
     #[test]
