@@ -168,8 +168,8 @@ impl PlatformName<'_> {
             return None;
         }
         let begin = number.len() + BETWEEN.len();
-        let read = |(at, _): (usize, &str)| {
-            let after = &name[at + BETWEEN.len()..];
+        let read = |(at, _)| {
+            let after = name[at..].strip_prefix(BETWEEN)?;
             let (time, rest) = after.split_once(BETWEEN).unwrap_or((after, ""));
             let at_time = brightspace_time(time)?;
             Some(PlatformName {
@@ -182,7 +182,8 @@ impl PlatformName<'_> {
                 rest,
             })
         };
-        let all: Vec<_> = name.match_indices(BETWEEN).filter_map(read).collect();
+        // If a display name ends in a hyphen, two of them share a space.
+        let all: Vec<_> = name.char_indices().filter_map(read).collect();
         // Somebody's display name may contain an earlier time than the platform's.
         let handed_in = all.iter().filter_map(|it| it.handed_in).max();
         let first = all.into_iter().next()?;
@@ -353,6 +354,10 @@ mod tests {
             (&["ada"], "unknown"),
             (
                 &["11-23 - Mallory - Nov 1, 2026 1200 AM - Mann - Nov 25, 2026 1100 PM - hw1.zip"],
+                "2026-11-25T23:00:00",
+            ),
+            (
+                &["11-23 - Mallory - - Nov 25, 2026 1100 PM - x - Nov 1, 2026 1200 AM - y.zip"],
                 "2026-11-25T23:00:00",
             ),
             // The uploader's part of a name doesn't hide that the upload is late.
