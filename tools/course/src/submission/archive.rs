@@ -133,6 +133,12 @@ impl<R: Read + Seek> Archive<R> {
                 .map_err(|error| format!("it is damaged, or not a ZIP file ({error})"))
         };
         let mut zip = open(metered)?;
+        // The end of a broken download of a class may be somebody's upload that looks like a class.
+        if zip.offset() != 0 {
+            return Err(
+                "something else comes before it; download it again, or pack it again".into(),
+            );
+        }
         let (mut files, mut misplaced) = (BTreeMap::new(), Vec::new());
         if zip.has_duplicate_names() {
             // The library tells nothing more about them, and keeps only one file of each name.

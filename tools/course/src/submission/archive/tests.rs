@@ -104,6 +104,19 @@ fn two_files_of_one_name_refuse_the_whole_archive() {
 }
 
 #[test]
+fn an_archive_at_the_end_of_another_file_is_refused() {
+    let (_folder, path) = archive(&[("sphere.rs", b"// one")]);
+    assert!(sphere(&path).is_ok());
+    let bytes = fs::read(&path).expect("it is there");
+    fs::write(&path, [b"the rest of a class", &bytes[..]].concat()).expect("there is room");
+    assert!(
+        refusal(&path).contains("comes before"),
+        "{}",
+        refusal(&path)
+    );
+}
+
+#[test]
 fn names_that_differ_in_capitals_only_refuse_that_answer() {
     let (_folder, path) = archive(&[("sphere.rs", b"// one"), ("Sphere.rs", b"// two")]);
     assert!(
