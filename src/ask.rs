@@ -121,8 +121,8 @@ pub fn ask_watched(
 
     let mut reply = Reply::before(job);
     let ended = exchange.converse(job, clock, MOST_MESSAGE, &mut |message| {
-        if message == Message::Started {
-            reply.start.get_or_insert(spawned.elapsed());
+        if message == Message::Started && reply.start.is_none() {
+            reply.start = Some(spawned.elapsed());
             return Ok(Next::Receive);
         }
         let next = reply.take(job, message)?;

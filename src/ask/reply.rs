@@ -229,9 +229,11 @@ impl Reply {
                 self.ending = Ending::Unregistered(kind);
                 Ok(Next::End)
             }
-            Message::StillAt(_) | Message::Started => {
+            Message::StillAt(_) => {
                 Err("it reported its current question without being asked".into())
             }
+            // A stream of these would keep its reader busy until time is up.
+            Message::Started => Err("it said twice that it has started".into()),
             Message::Answers { answers, .. } if answers.is_empty() => {
                 Err("it sent a message without an answer".into())
             }

@@ -83,6 +83,16 @@ fn sending_bytes_slowly_gains_no_time() {
 }
 
 #[test]
+fn a_submission_starts_once() {
+    let twice =
+        after_the_job("for k in 1 2; do printf '\\1\\0\\0\\0\\5' >&0; done; exec sleep 600");
+    let Ending::Garbled(why) = asked(&twice, &hits(1), SOON).ending else {
+        panic!("the second message is refused")
+    };
+    assert_eq!(why, "it said twice that it has started");
+}
+
+#[test]
 fn flood_of_output_is_read_and_discarded() {
     let reply = asked("exec yes", &hits(1), SECOND);
     assert_eq!(reply.ending, Ending::TimedOut(SECOND));

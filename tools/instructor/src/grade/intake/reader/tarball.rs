@@ -98,7 +98,7 @@ fn each(
     };
     let mut archive = Archive::new(unpacked);
     let entries = archive.entries().map_err(make_no_sense)?;
-    let mut long_name: Option<Vec<u8>> = None;
+    let (mut long_name, mut long_size): (Option<Vec<u8>>, Option<Vec<u8>>) = (None, None);
     // Read raw entries; otherwise a name of any length would be read into memory.
     for entry in entries.raw(true) {
         let mut entry = entry.map_err(make_no_sense)?;
@@ -114,7 +114,10 @@ fn each(
                     bytes.truncate(bytes.iter().take_while(|byte| **byte != 0).count());
                     long_name = Some(bytes);
                 }
-                _ => long_name = name_in(&bytes)?.or(long_name),
+                _ => {
+                    long_name = record(b"path", &bytes)?.or(long_name);
+                    long_size = record(b"size", &bytes)?;
+                }
             }
             continue;
         }
@@ -124,6 +127,13 @@ fn each(
         // Its list of holes may go on where the reader expects the content.
         if entry.header().as_gnu().is_some_and(GnuHeader::is_extended) && kind.is_gnu_sparse() {
             return Err("it holds a sparse file with many holes; pack it without -S".into());
+        }
+        // If a file has 8 GiB or more, its header doesn't say so.
+        if long_size
+            .take()
+            .is_some_and(|it| it != entry.size().to_string().as_bytes())
+        {
+            return Err("it holds a file of 8 GiB or more; pack it without that file".into());
         }
         let name = long_name.take();
         let mut name = name.unwrap_or_else(|| entry.path_bytes().into_owned());
@@ -135,11 +145,12 @@ fn each(
     Ok(())
 }
 
-/// The name in an extended header, which has records like `17 path=ada/a.rs\n` (POSIX.1-2008, pax,
-/// "pax Header Block"). A name may contain line breaks, so only the length says where a record ends.
-/// The last record may be cut off, but then the name is too long anyway.
-fn name_in(mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
-    let mut name = None;
+/// The last value of a key in an extended header, which has records like `17 path=ada/a.rs\n`
+/// (POSIX.1-2008, pax, "pax Header Block"). A name may contain line breaks, so only the length says
+/// where a record ends. The last record may be cut off, but then it holds a name that is too long
+/// anyway.
+fn record(key: &[u8], mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
+    let mut value = None;
     while let Some(space) = bytes.iter().position(|byte| *byte == b' ') {
         let length = std::str::from_utf8(&bytes[..space]).ok();
         let length = length.and_then(|it| it.parse().ok()).unwrap_or(0);
@@ -147,12 +158,13 @@ fn name_in(mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
         let Some(record) = record.get(space + 1..) else {
             return Err("its contents make no sense (in an extended header)".into());
         };
-        if let Some(path) = record.strip_prefix(b"path=") {
-            name = Some(path.strip_suffix(b"\n").unwrap_or(path).to_owned());
+        let after = record.strip_prefix(key);
+        if let Some(found) = after.and_then(|it| it.strip_prefix(b"=")) {
+            value = Some(found.strip_suffix(b"\n").unwrap_or(found).to_owned());
         }
         bytes = rest;
     }
-    Ok(name)
+    Ok(value)
 }
 
 #[cfg(test)]
@@ -163,7 +175,7 @@ mod tests {
 
     #[test]
     fn only_its_length_ends_a_record() {
-        let record = |key: &str, value: &str| {
+        let own = |key: &str, value: &str| {
             let rest = format!(" {key}={value}\n");
             let length = (rest.len()..).find(|all| all.to_string().len() + rest.len() == *all);
             format!(
@@ -171,16 +183,17 @@ mod tests {
                 length.expect("lengths grow faster than their digits")
             )
         };
-        let name =
-            |header: &str| name_in(header.as_bytes()).map(|name| name.map(|it| text::name(&it)));
+        let name = |header: &str| {
+            record(b"path", header.as_bytes()).map(|name| name.map(|it| text::name(&it)))
+        };
         let named = |it: &str| Ok(Some(it.to_owned()));
         let forged = "eve/x\n22 path=ada/sphere.rs";
-        let time = record("mtime", "1.5");
+        let time = own("mtime", "1.5");
         assert_eq!(
-            name(&format!("{time}{}", record("path", forged))),
+            name(&format!("{time}{}", own("path", forged))),
             named(forged)
         );
-        let last = record("path", "a") + &record("path", "b") + &time;
+        let last = own("path", "a") + &own("path", "b") + &time;
         assert_eq!(name(&last), named("b"));
         assert_eq!(name(&time), Ok(None));
         // The rest is cut off.
@@ -188,6 +201,27 @@ mod tests {
         for broken in ["x path=eve\n", "1 path=eve\n", " path=eve\n"] {
             assert!(name(broken).is_err());
         }
+    }
+
+    #[test]
+    fn content_of_a_huge_file_is_not_taken_for_files() {
+        let sized = |size: &str| {
+            let mut tar = tar::Builder::new(Vec::new());
+            let huge = [("size", size.as_bytes())];
+            tar.append_pax_extensions(huge)
+                .expect("memory can be written");
+            let mut header = tar::Header::new_ustar();
+            header.set_size(1);
+            let added = tar.append_data(&mut header, "a", &b"a"[..]);
+            added.expect("memory can be written");
+            let mut file = tempfile::tempfile().expect("there is room");
+            let written = file.write_all(&tar.into_inner().expect("it ends"));
+            written.and_then(|()| file.rewind()).expect("there is room");
+            read(&mut Reader::new(&|_| true), file, &[], 0)
+        };
+        assert!(sized("1").is_ok());
+        let result = sized("8589934592");
+        assert!(matches!(result, Err(ReadFailure::Refused(why)) if why.contains("8 GiB")));
     }
 
     #[test]
