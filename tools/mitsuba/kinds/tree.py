@@ -3,8 +3,8 @@
 Many trees are right, so the harness measures the submission's: triangles that are not in
 exactly one leaf, depth, the largest leaf, and the expected number of tests by the surface
 area heuristic. The golden is 0 everywhere; the tolerance is how much of each is allowed.
-Depth and tests are compared with trees that are split at the middle of the longest axis, and
-with trees whose lists are halved along it.
+Depth and tests are compared with trees that are split at the middle of the longest axis or whose
+lists are halved along it, and tests also with a tree that is split by this heuristic.
 """
 
 from dataclasses import dataclass
@@ -65,7 +65,8 @@ class Question:
         """Golden and tolerance, (4,) each.
 
         Twice the depth of the deepest of our trees is allowed, and two more, because trees may be
-        split in other ways, such as by the surface area heuristic.
+        split in other ways, such as by the surface area heuristic. With large leaves, a tree of
+        this kind may be the costliest.
         """
         trees = [
             split(self.boxes, largest, is_first)
@@ -73,12 +74,13 @@ class Question:
             for largest in (1, 4, LARGEST_LEAF)
         ]
         deepest = max(depth(tree) for tree in trees)
-        costliest = max(cost(tree, self.boxes) for tree in trees)
+        by_area = split_by_area(self.boxes, LARGEST_LEAF)
+        costliest = max(cost(tree, self.boxes) for tree in [*trees, by_area])
         most_deep, most = 2 * deepest + 2, COST * costliest
         # Boxes with one centre can be divided in any way, so their order says nothing. If they
         # are nested, the surface area heuristic takes them off one by one.
         if np.ptp(self.boxes.mean(axis=1), axis=0).max() == 0:
-            most_deep = max(most_deep, 2 + depth(split_by_area(self.boxes)))
+            most_deep = max(most_deep, 2 + depth(split_by_area(self.boxes, 1)))
             most = ANY_COST
         return np.zeros(4), np.array([0, most_deep, LARGEST_LEAF, most])
 
@@ -105,22 +107,27 @@ def split(boxes, largest, is_first, members=None):
     return tuple(split(boxes, largest, is_first, members[side]) for side in (first, ~first))
 
 
-def split_by_area(boxes):
-    """A tree over boxes with one centre, each in a leaf of its own: split where the surface
-    area heuristic expects the fewest tests."""
-    if len(boxes) == 1:
-        return np.arange(1)
-    first, rest = areas_of_first(boxes), areas_of_first(boxes[::-1])[::-1]
-    count = np.arange(1, len(boxes))
-    here = count[np.argmin(first[:-1] * count + rest[1:] * (len(boxes) - count))]
-    return split_by_area(boxes[:here]), split_by_area(boxes[here:])
+def split_by_area(boxes, largest, members=None):
+    """A tree over boxes, split where the surface area heuristic expects the fewest tests."""
+    members = np.arange(len(boxes)) if members is None else members
+    if len(members) <= largest:
+        return members
+    orders = members[np.argsort(boxes[members].mean(axis=1), axis=0, kind="stable")].T
+    sorted_boxes = boxes[orders]
+    first = areas_of_first(sorted_boxes)[:, :-1]
+    rest = areas_of_first(sorted_boxes[:, ::-1])[:, -2::-1]
+    count = np.arange(1, len(members))
+    tests = first * count + rest * count[::-1]
+    axis, place = np.unravel_index(np.argmin(tests), tests.shape)
+    sides = np.split(orders[axis], [place + 1])
+    return tuple(split_by_area(boxes, largest, side) for side in sides)
 
 
 def areas_of_first(boxes):
-    """Half of the surface of the box around the first, the first two, and so on."""
-    low = np.minimum.accumulate(boxes[:, 0])
-    high = np.maximum.accumulate(boxes[:, 1])
-    return half_area(np.stack([low, high], axis=1).swapaxes(0, 1))
+    """Half of the surface of the box around the first, the first two, and so on, of each list."""
+    low = np.minimum.accumulate(boxes[..., 0, :], axis=1)
+    high = np.maximum.accumulate(boxes[..., 1, :], axis=1)
+    return half_area(np.stack([low, high]))
 
 
 def below_middle(places):

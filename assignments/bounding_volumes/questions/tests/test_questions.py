@@ -117,6 +117,16 @@ def test_a_centre_in_the_middle_may_go_to_either_side():
         assert tree.cost(split, question.boxes) <= cost
 
 
+@pytest.mark.parametrize("group, seed", [("long", 156), ("spread", 169)])
+def test_the_surface_area_heuristic_may_stop_at_large_leaves(group, seed):
+    # With these seeds, its trees were too costly when only splits in the middle and halves counted.
+    question = questions_of(ASSIGNMENT, "build_tree").GROUPS[group](np.random.default_rng(seed))
+    _, (_, depth, _, cost) = question.answer()
+    split = tree.split_by_area(question.boxes, tree.LARGEST_LEAF)
+    assert tree.depth(split) <= depth
+    assert tree.cost(split, question.boxes) <= cost
+
+
 def right_search(question):
     """The nearest triangle by asking all of them, without a box."""
     after = [hit for hit in question.hits if hit[1] >= question.min_t]
