@@ -5,10 +5,10 @@ use std::process::{Command, ExitStatus, Stdio};
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-use pinhole::ask::Death;
+use pinhole::ask::{BUSY, Death};
 
-use super::Limits;
 use super::watch::{ExceededLimit, Watch};
+use super::{Limits, own_clock};
 
 /// How a command ended.
 #[derive(Debug)]
@@ -21,8 +21,7 @@ pub struct CommandResult {
     pub exceeded: Option<ExceededLimit>,
     /// Whether the clock ended it.
     pub late: bool,
-    /// Whether it was late because other work kept it from running: it had less processor time than
-    /// even a shortened limit gives.
+    /// Whether it was late because other work kept it from running.
     pub starved: bool,
 }
 
@@ -55,6 +54,9 @@ pub const MOST_SAID: usize = 1 << 20;
 /// The time between two checks of whether a command has ended.
 const PAUSE: Duration = Duration::from_millis(2);
 
+/// The time between two looks at its own clock, which take a while.
+const LOOK: Duration = Duration::from_millis(50);
+
 /// Runs a command without standard input and output, and collects its standard error. Calls
 /// `watch` with the command's process id.
 pub fn finish(
@@ -62,7 +64,7 @@ pub fn finish(
     limits: &Limits,
     watch: impl FnOnce(u32) -> Watch,
 ) -> io::Result<CommandResult> {
-    let deadline = Instant::now() + limits.wall;
+    let begun = Instant::now();
     command
         .stdin(Stdio::null())
         .stdout(Stdio::null())
@@ -80,18 +82,25 @@ pub fn finish(
             let _ = (rest, sender.send(kept));
         });
     }
+    // Its own time tells whether it is late, within limits.
+    let mut clock = own_clock(child.id());
+    let mut own_time = Duration::ZERO;
+    let mut looked = begun;
     let (mut late, mut starved) = (false, false);
     let status = loop {
-        match child.try_wait()? {
-            Some(status) => break status,
-            None if Instant::now() > deadline => {
-                late = true;
-                starved = ran(child.id()) < limits.shortest;
-                let _already_gone = child.kill();
-                break child.wait()?;
-            }
-            None => std::thread::sleep(PAUSE),
+        if let Some(status) = child.try_wait()? {
+            break status;
         }
+        if looked.elapsed() >= LOOK {
+            (own_time, looked) = (clock(), Instant::now());
+        }
+        starved = begun.elapsed() >= limits.wall * BUSY;
+        late = starved || own_time >= limits.wall;
+        if late {
+            let _already_gone = child.kill();
+            break child.wait()?;
+        }
+        std::thread::sleep(PAUSE);
     };
     let exceeded = watch.stop();
     // Don't wait for a process that was left behind and still holds the pipe.
@@ -105,15 +114,4 @@ pub fn finish(
         late,
         starved,
     })
-}
-
-/// The processor time of a process and its descendants, where the system tells it.
-#[cfg(target_os = "linux")]
-fn ran(pid: u32) -> Duration {
-    super::tree::used_by(pid).cpu
-}
-
-#[cfg(not(target_os = "linux"))]
-fn ran(_pid: u32) -> Duration {
-    Duration::MAX
 }

@@ -13,8 +13,8 @@ use std::time::Duration;
 pub struct Limits {
     /// Seconds of processor time, summed over the whole tree.
     pub cpu: Duration,
-    /// Time on the clock. For answers, the clock stands still while they get no processor, but at
-    /// most [`BUSY`](pinhole::ask::BUSY) times as long.
+    /// Time on a clock that stands still while the tree gets no processor, but at most
+    /// [`BUSY`](pinhole::ask::BUSY) times as long.
     pub wall: Duration,
     /// Time on the same clock between two answers, at most `wall`.
     pub silence: Duration,

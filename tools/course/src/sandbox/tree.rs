@@ -1,5 +1,6 @@
 //! The processes of a tree, read from `/proc`.
 
+use std::collections::HashMap;
 use std::fs;
 use std::os::unix::fs::MetadataExt;
 use std::path::{Path, PathBuf};
@@ -9,7 +10,7 @@ use pinhole::ask::Clock;
 use rustix::process::{Pid, Signal, kill_process};
 
 /// The time and memory that a tree of processes uses.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct ResourceUsage {
     /// Processor time of all living processes and of the children they have waited for.
     pub cpu: Duration,
@@ -19,10 +20,31 @@ pub struct ResourceUsage {
     pub is_busy: bool,
     /// Whether any thread runs or is ready to run.
     pub is_ready: bool,
-    /// The longest time that a living thread was ready to run but got no processor.
-    pub waited: Duration,
-    /// How often all living threads together got a processor.
-    pub turns: u64,
+    /// The turns of each living thread, by its folder.
+    turns: HashMap<PathBuf, Turns>,
+}
+
+/// How a thread got a processor so far.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+struct Turns {
+    /// How long it was ready to run but got no processor. The kernel adds to this whenever the thread
+    /// gets its turn.
+    waited: Duration,
+    /// How often it got a processor.
+    count: u64,
+}
+
+impl ResourceUsage {
+    /// The longest time that a thread waited for a processor since then, as far as the kernel has
+    /// counted it. Threads that sleep most of the time may be awake whenever we look, so looking at
+    /// their states is not enough.
+    fn waited_since(&self, then: &ResourceUsage) -> Duration {
+        let before = |thread| then.turns.get(thread).copied().unwrap_or_default();
+        let turns = self.turns.iter();
+        let waited =
+            turns.map(|(thread, turns)| turns.waited.saturating_sub(before(thread).waited));
+        waited.max().unwrap_or_default()
+    }
 }
 
 /// The time and memory that `pid` and its descendants use now. A process that ends meanwhile counts
@@ -38,9 +60,9 @@ pub fn used_by(pid: u32) -> ResourceUsage {
             used.is_ready |= state == "R";
             used.is_busy |= state == "R" || state == "D";
         }
-        for (waited, turns) in threads(pid).filter_map(|thread| turns_of(&thread)) {
-            used.waited = used.waited.max(waited);
-            used.turns += turns;
+        let turns = |thread: PathBuf| Some((turns_of(&thread)?, thread));
+        for (turns, thread) in threads(pid).filter_map(turns) {
+            used.turns.insert(thread, turns);
         }
         found.extend(children(pid));
     }
@@ -49,25 +71,30 @@ pub fn used_by(pid: u32) -> ResourceUsage {
 }
 
 /// A clock for `pid` and its descendants. It counts the time in which they sleep and the processor
-/// time that they get, but runs no faster than the wall clock.
+/// time that they get, but runs no faster than the wall clock. It doesn't count the time in which the
+/// calling thread gets no processor, because they may be waiting for its messages.
 pub fn own_clock(pid: u32) -> Clock {
     let mut had = Duration::ZERO;
-    let mut last = (Instant::now(), ResourceUsage::default());
+    let mut last = (Instant::now(), ResourceUsage::default(), our_turns());
     Box::new(move || {
-        let (now, used) = (Instant::now(), used_by(pid));
+        let (now, used, ours) = (Instant::now(), used_by(pid), our_turns());
         let passed = now - last.0;
-        // Threads that sleep most of the time may be awake whenever we look, so ask the kernel how
-        // long they waited. The kernel adds up this time whenever a thread gets its turn. If no
-        // thread had a turn, or the kernel doesn't count, we know only whether one is ready now.
+        // If no thread had a turn, or the kernel doesn't count, we know only whether one is ready now.
+        let ours_waited = ours.waited.saturating_sub(last.2.waited);
         let waited = match used.is_ready && used.turns == last.1.turns {
             true => passed,
-            false => passed.min(used.waited.saturating_sub(last.1.waited)),
+            false => used.waited_since(&last.1).max(ours_waited).min(passed),
         };
         let ran = used.cpu.saturating_sub(last.1.cpu);
         had += (passed - waited).max(passed.min(ran));
-        last = (now, used);
+        last = (now, used, ours);
         had
     })
+}
+
+/// The turns of the calling thread.
+fn our_turns() -> Turns {
+    turns_of(Path::new("/proc/thread-self")).unwrap_or_default()
 }
 
 /// Processor time of our own children that have ended, and of their children (fields 16 and
@@ -158,13 +185,14 @@ fn ticks_of(pid: u32) -> Option<u64> {
     ticks.sum::<Result<u64, _>>().ok()
 }
 
-/// How long a thread has waited for a processor, and how often it got one. `None` if the kernel does
-/// not count that.
-fn turns_of(thread: &Path) -> Option<(Duration, u64)> {
+/// `None` if the kernel does not count them.
+fn turns_of(thread: &Path) -> Option<Turns> {
     let text = fs::read_to_string(thread.join("schedstat")).ok()?;
     let mut numbers = text.split_whitespace().map(str::parse::<u64>);
-    let (waited, turns) = (numbers.nth(1)?.ok()?, numbers.next()?.ok()?);
-    Some((Duration::from_nanos(waited), turns))
+    Some(Turns {
+        waited: Duration::from_nanos(numbers.nth(1)?.ok()?),
+        count: numbers.next()?.ok()?,
+    })
 }
 
 fn of_process(pid: u32) -> PathBuf {

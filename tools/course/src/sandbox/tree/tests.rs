@@ -1,7 +1,9 @@
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::{end_all_of, is_used, own_clock, used_by};
+use pinhole::ask::BUSY;
+
+use super::{ResourceUsage, Turns, end_all_of, is_used, own_clock, used_by};
 use crate::sandbox::watch::{ExceededLimit, Watch};
 use crate::sandbox::{Limits, finish};
 
@@ -146,24 +148,45 @@ fn a_tree_that_sleeps_is_ended_and_one_that_works_is_not() {
     );
 }
 
+/// A command that any other process on the same core comes before.
+const LAST: &str = "ulimit -t 9; exec nice -n 19 taskset -c 0 sh -c 'while :; do :; done'";
+
+/// A command that is ended when this is dropped.
+struct Started(Child);
+
+impl Started {
+    fn new(line: &str) -> Started {
+        Started(shell(line).spawn().expect("there is a shell"))
+    }
+
+    /// Keeps a core busy.
+    fn busy() -> [Started; 4] {
+        ["ulimit -t 19; exec taskset -c 0 sh -c 'while :; do :; done'"; 4].map(Started::new)
+    }
+}
+
+impl Drop for Started {
+    fn drop(&mut self) {
+        self.0.kill().expect("it can be ended");
+        self.0.wait().expect("it can be waited for");
+    }
+}
+
 #[test]
 fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
-    // Any other process on the same core comes first.
-    let starved = "ulimit -t 9; exec nice -n 19 taskset -c 0 sh -c 'while :; do :; done'";
-    let busy = "ulimit -t 9; exec taskset -c 0 sh -c 'while :; do :; done'";
-    let start = |line| shell(line).spawn().expect("there is a shell");
-    let mut all = vec![
-        start(starved),
-        start("exec sleep 9"),
-        start("kill -STOP $$"),
+    let all = [
+        LAST,
+        "exec sleep 9",
+        "kill -STOP $$",
         // It waits for its child in the state of a process that waits for a disk.
-        start("exec python3 -c 'import ctypes as c; l = c.CDLL(None); l.vfork() or l.sleep(9)'"),
-    ];
-    while super::children(all[3].id()).is_empty() {
+        "exec python3 -c 'import ctypes as c; l = c.CDLL(None); l.vfork() or l.sleep(9)'",
+    ]
+    .map(Started::new);
+    while super::children(all[3].0.id()).is_empty() {
         std::thread::sleep(Duration::from_millis(10));
     }
-    all.extend([busy; 4].map(start));
-    let mut clocks = [&all[0], &all[1], &all[2], &all[3]].map(|child| own_clock(child.id()));
+    let busy = Started::busy();
+    let mut clocks = all.each_ref().map(|child| own_clock(child.0.id()));
     let begin = Instant::now();
     while begin.elapsed() < Duration::from_secs(2) {
         std::thread::sleep(Duration::from_millis(50));
@@ -171,16 +194,31 @@ fn the_own_clock_of_a_tree_that_gets_no_processor_stands_still() {
             clock();
         }
     }
-    let [starved, asleep, stopped, waiting] = clocks.map(|mut clock| clock());
-    for mut child in all {
-        child.kill().expect("it can be ended");
-        child.wait().expect("it can be waited for");
-    }
-    assert!(starved < Duration::from_millis(500), "{starved:?}");
+    let [last, asleep, stopped, waiting] = clocks.map(|mut clock| clock());
+    drop((all, busy));
+    assert!(last < Duration::from_millis(500), "{last:?}");
     // Nobody keeps these from running.
     assert!(asleep > Duration::from_millis(1500), "{asleep:?}");
     assert!(stopped > Duration::from_millis(1500), "{stopped:?}");
     assert!(waiting > Duration::from_millis(1500), "{waiting:?}");
+}
+
+#[test]
+fn a_thread_that_waits_counts_though_another_has_waited_longer_before() {
+    let used = |waits: &[(&str, u64)]| ResourceUsage {
+        turns: waits
+            .iter()
+            .map(|(thread, milliseconds)| {
+                let waited = Duration::from_millis(*milliseconds);
+                (thread.into(), Turns { waited, count: 1 })
+            })
+            .collect(),
+        ..ResourceUsage::default()
+    };
+    let then = used(&[("asleep", 5000), ("works", 100), ("has ended", 9000)]);
+    let now = used(&[("asleep", 5000), ("works", 140), ("is new", 30)]);
+    assert_eq!(now.waited_since(&then), Duration::from_millis(40));
+    assert_eq!(now.waited_since(&now), Duration::ZERO);
 }
 
 #[test]
@@ -212,8 +250,10 @@ fn the_own_clock_of_a_tree_that_sleeps_most_of_the_time_runs() {
         std::thread::sleep(Duration::from_millis(50));
         clock();
     }
-    // On a busy machine, it may also have to wait.
-    let (had, waited) = (clock(), used_by(child.id()).waited);
+    // On a busy machine, they may also have to wait.
+    let had = clock();
+    let turns = used_by(child.id()).turns;
+    let waited: Duration = turns.values().map(|turns| turns.waited).sum();
     child.kill().expect("it can be ended");
     child.wait().expect("it can be waited for");
     assert!(
@@ -223,18 +263,16 @@ fn the_own_clock_of_a_tree_that_sleeps_most_of_the_time_runs() {
 }
 
 #[test]
-fn a_command_that_had_processor_time_was_not_starved() {
+fn a_command_is_late_by_its_own_clock_and_starved_only_if_others_had_most_of_the_time() {
     let limits = Limits {
-        wall: Duration::from_secs(1),
-        shortest: Duration::from_millis(50),
+        wall: Duration::from_millis(300),
         ..limits()
     };
-    for (lines, starved) in [("exec sleep 9", true), ("while :; do :; done", false)] {
-        let finished = finish(shell(lines), &limits, |_| Watch::nothing()).expect("a shell");
-        assert_eq!(
-            (finished.late, finished.starved),
-            (true, starved),
-            "{lines}"
-        );
+    let _busy = Started::busy();
+    for (line, starved) in [("exec sleep 9", false), (LAST, true)] {
+        let begin = Instant::now();
+        let finished = finish(shell(line), &limits, |_| Watch::nothing()).expect("a shell");
+        assert_eq!((finished.late, finished.starved), (true, starved), "{line}");
+        assert_eq!(begin.elapsed() >= limits.wall * BUSY, starved, "{line}");
     }
 }
