@@ -1,5 +1,6 @@
 """The goldens of this assignment's questions agree with exact arithmetic."""
 
+import itertools
 import tomllib
 from fractions import Fraction
 from pathlib import Path
@@ -91,40 +92,34 @@ def test_groups_of_rays_and_boxes_ask_what_they_say():
     assert {(q.direction == 0).sum() for q, *_ in drawn("ray_box", "zero_direction")} == {1, 2}
 
 
+def up_to_middle(places):
+    return places <= (places.min() + places.max()) / 2
+
+
+def in_larger_half(places):
+    return np.argsort(np.argsort(places, kind="stable")) < (len(places) + 1) // 2
+
+
+GOOD_SPLITS = (tree.below_middle, up_to_middle, tree.in_first_half, in_larger_half)
+
+
 @pytest.mark.parametrize("group", groups("build_tree"))
-def test_trees_that_are_split_in_the_middle_are_accepted_and_chains_are_not(group):
+def test_good_trees_are_accepted_and_chains_are_not(group):
+    accepts_chain = []
     for question, golden, (misplaced, depth, leaf, cost) in drawn("build_tree", group):
         assert (golden == 0).all() and misplaced == 0
-        for largest in (1, 2, 4, 8):
-            split = tree.split(question.boxes, largest, tree.below_middle)
+        for is_first, largest in itertools.product(GOOD_SPLITS, range(1, tree.LARGEST_LEAF + 1)):
+            split = tree.split(question.boxes, largest, is_first)
             assert tree.depth(split) <= depth
             assert tree.cost(split, question.boxes) <= cost
         chain = np.arange(1)
         for triangle in range(1, len(question.boxes)):
             chain = chain, np.array([triangle])
-        accepted = tree.depth(chain) <= depth and tree.cost(chain, question.boxes) <= cost
-        assert not accepted or len(question.boxes) < 16
-
-
-def test_a_centre_in_the_middle_may_go_to_either_side():
-    # With this seed, the tree was too costly when only trees with the middle on the other side
-    # counted as right.
-    question = questions_of(ASSIGNMENT, "build_tree").GROUPS["long"](np.random.default_rng(330))
-    _, (_, depth, _, cost) = question.answer()
-    for is_first in (tree.below_middle, tree.up_to_middle):
-        split = tree.split(question.boxes, tree.LARGEST_LEAF, is_first)
-        assert tree.depth(split) <= depth
-        assert tree.cost(split, question.boxes) <= cost
-
-
-@pytest.mark.parametrize("group, seed", [("long", 156), ("spread", 169)])
-def test_the_surface_area_heuristic_may_stop_at_large_leaves(group, seed):
-    # With these seeds, its trees were too costly when only splits in the middle and halves counted.
-    question = questions_of(ASSIGNMENT, "build_tree").GROUPS[group](np.random.default_rng(seed))
-    _, (_, depth, _, cost) = question.answer()
-    split = tree.split_by_area(question.boxes, tree.LARGEST_LEAF)
-    assert tree.depth(split) <= depth
-    assert tree.cost(split, question.boxes) <= cost
+        if len(question.boxes) >= 16:
+            cheap = tree.cost(chain, question.boxes) <= cost
+            accepts_chain.append(cheap and tree.depth(chain) <= depth)
+    # The boxes of `crowded` may happen to be listed nearly from the farthest to the nearest.
+    assert sum(accepts_chain) <= len(accepts_chain) // 10
 
 
 def right_search(question):
