@@ -6,7 +6,7 @@ pub mod archive;
 pub mod flags;
 mod pack;
 pub mod text;
-mod tokens;
+pub(crate) mod tokens;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -83,8 +83,8 @@ impl Diagnostic {
 #[derive(Default)]
 pub struct Blamed {
     pub replaced: Replacements,
-    /// Those in which the compiler found an error. It did not run out of time on them, so they can be
-    /// tried again.
+    /// Those on which the compiler did not run out of time: it found an error in them, or they compile
+    /// among stubs. So they can be tried again.
     pub again: BTreeSet<String>,
 }
 
@@ -94,7 +94,7 @@ impl Blamed {
         self.again.extend(other.again);
     }
 
-    fn add(&mut self, task: &str, diagnostics: &[Diagnostic]) {
+    pub fn add(&mut self, task: &str, diagnostics: &[Diagnostic]) {
         let why = Replacement::DoesNotCompile(rendered(diagnostics));
         self.replaced.insert(task.to_owned(), why);
         if has_place(diagnostics) {
@@ -196,13 +196,11 @@ pub fn not_theirs(diagnostics: &[Diagnostic]) -> Error {
 /// If the stubs alone don't compile either, no answer is to blame, but the machine or we are. Then
 /// the result is `None`. All answers are tried together once more, because the compiler may have been
 /// killed the first time. Then each is left out alone, unless the compiler was stopped, which may take
-/// long each time. The one whose task is `worthless` comes first, because leaving it out costs no
-/// points. If that never helps, several are to blame: those that don't compile among stubs, or, if each
-/// of them does, all.
+/// long each time. If that never helps, several are to blame: those that don't compile among stubs, or,
+/// if each of them does, all.
 pub fn apart(
     submission: &Submission,
     already: &Replacements,
-    worthless: Option<&String>,
     compile: impl Fn(&Replacements) -> Result<BuildResult, Stopped>,
 ) -> Result<Option<Blamed>, Stopped> {
     let mut blamed = Blamed::default();
@@ -216,8 +214,7 @@ pub fn apart(
         return Ok(Some(blamed));
     };
     let suspects = stubs.keys().filter(|task| !already.contains_key(*task));
-    let mut suspects: Vec<&String> = suspects.collect();
-    suspects.sort_by_key(|task| Some(*task) != worthless);
+    let suspects: Vec<&String> = suspects.collect();
     for suspect in suspects.iter().filter(|_| has_place(&diagnostics)) {
         let mut without = already.clone();
         without.insert((*suspect).clone(), missing());
@@ -236,6 +233,7 @@ pub fn apart(
     if blamed.replaced.is_empty() {
         for suspect in suspects {
             blamed.add(suspect, &diagnostics);
+            blamed.again.insert(suspect.clone());
         }
     }
     Ok(Some(blamed))
@@ -299,10 +297,11 @@ mod tests {
                     },
                 })
             };
-            let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), None, compile) else {
+            let Ok(Some(blamed)) = apart(&submission, &Replacements::new(), compile) else {
                 panic!("the stubs compile")
             };
-            blamed.replaced.len()
+            assert_eq!(blamed.replaced.len(), blamed.again.len());
+            blamed.again.len()
         };
         assert_eq!(blamed(true), 0);
         assert_eq!(blamed(false), submission.answers.len());

@@ -17,6 +17,7 @@ use crate::handout_record::Package;
 use crate::shell;
 use crate::stubs;
 use crate::submission::allow_list::{self, Verdict};
+use crate::submission::tokens::{PATH, Token, tokens};
 use crate::submission::{Answer, AnswerFileProblem, Submission};
 use crate::timings::timed;
 
@@ -112,17 +113,7 @@ impl<'a> Rounds<'a> {
                     replaced.extend(blame::all(self.submission, &replaced));
                 }
                 BuildResult::Refused { diagnostics, .. } => {
-                    let mut blamed = blame::by_place(&diagnostics, self.submission, &replaced);
-                    if blamed.replaced.is_empty() || is_last {
-                        let compile = |replaced: &Replacements| self.compile(replaced);
-                        blamed = blame::apart(
-                            self.submission,
-                            &replaced,
-                            self.compiler.earlier.as_ref(),
-                            compile,
-                        )?
-                        .ok_or_else(|| blame::not_theirs(&diagnostics))?;
-                    }
+                    let blamed = self.blamed(&diagnostics, &replaced, is_last)?;
                     replaced.extend(blamed.replaced.clone());
                     blamed_so_far.extend(blamed);
                 }
@@ -131,6 +122,28 @@ impl<'a> Rounds<'a> {
         let wrong = "the stubs do not compile";
         let remedy = "restore the assignment's `reference` folder, which they are made from";
         Err(Error::environment(wrong, remedy).into())
+    }
+
+    /// The answers to replace after these errors.
+    fn blamed(
+        &self,
+        diagnostics: &[Diagnostic],
+        replaced: &Replacements,
+        is_last: bool,
+    ) -> Result<Blamed, Stopped> {
+        // Leaving this one out costs no points.
+        if let Some((task, BuildResult::Program { .. })) = self.without_earlier(replaced)? {
+            let mut blamed = Blamed::default();
+            blamed.add(task, diagnostics);
+            return Ok(blamed);
+        }
+        let blamed = blame::by_place(diagnostics, self.submission, replaced);
+        if !blamed.replaced.is_empty() && !is_last {
+            return Ok(blamed);
+        }
+        let compile = |replaced: &Replacements| self.compile(replaced);
+        let blamed = blame::apart(self.submission, replaced, compile)?;
+        Ok(blamed.ok_or_else(|| blame::not_theirs(diagnostics))?)
     }
 
     /// The answers that are refused before the compiler reads them, and the tasks of those that are
@@ -183,9 +196,10 @@ impl<'a> Rounds<'a> {
         }
     }
 
-    /// Tries blamed answers again: all together, and then, while there is time, each alone and with
-    /// those that it uses, until none can return. An answer may have been blamed only because it uses,
-    /// or clashes with, another one that was replaced later.
+    /// Tries blamed answers again: all together, and then each alone and with those that it uses, until
+    /// none can return. An answer may have been blamed only because it uses, or clashes with, another
+    /// one that was replaced later. After the time is up, each is tried once more. None of them ran
+    /// out of time when it was blamed.
     fn restore(
         &self,
         blamed: &Blamed,
@@ -204,17 +218,16 @@ impl<'a> Rounds<'a> {
             return Ok(());
         }
         loop {
-            let before = replaced.len();
+            let (before, was_done) = (replaced.len(), is_done());
             for task in again {
                 let alone = BTreeSet::from([task.clone()]);
-                for tasks in BTreeSet::from([alone, self.with_used(task, again)]) {
-                    if is_done() {
-                        return Ok(());
-                    }
-                    self.without(&tasks, replaced, built)?;
+                let with_used = self.with_used(task, again);
+                if alone != with_used && !is_done() {
+                    self.without(&alone, replaced, built)?;
                 }
+                self.without(&with_used, replaced, built)?;
             }
-            if replaced.len() == before {
+            if replaced.len() == before || was_done {
                 return Ok(());
             }
         }
@@ -251,12 +264,7 @@ impl<'a> Rounds<'a> {
         while let Some(task) = new.pop() {
             let answer = self.submission.answer(&task);
             let text = answer.and_then(|it| it.text.as_deref().ok());
-            let text = text.unwrap_or_default();
-            let is_used = |other: &&String| {
-                let paths = [format!("{other}::"), format!("{other} as ")];
-                paths.iter().any(|path| text.contains(path))
-            };
-            for used in tasks.iter().filter(is_used) {
+            for used in modules_named(text.unwrap_or_default()).intersection(tasks) {
                 if all.insert(used.clone()) {
                     new.push(used.clone());
                 }
@@ -279,21 +287,30 @@ impl<'a> Rounds<'a> {
         })
     }
 
-    /// Compiles the program with our answer to the task of an earlier assignment.
+    /// The program with our answer to the task of an earlier assignment.
     fn with_ours(&self, replaced: &Replacements) -> Result<WithOurs, Stopped> {
+        Ok(match self.without_earlier(replaced)? {
+            None => WithOurs::Same,
+            Some((_, BuildResult::Program { executable, .. })) => WithOurs::Executable(executable),
+            Some((_, BuildResult::Refused { .. })) => WithOurs::DoesNotCompile,
+        })
+    }
+
+    /// Compiles without the student's answer to the task of an earlier assignment, if there is one.
+    fn without_earlier(
+        &self,
+        replaced: &Replacements,
+    ) -> Result<Option<(&String, BuildResult)>, Stopped> {
         let is_theirs = |task: &&String| {
             self.submission.answer(task).is_some() && !replaced.contains_key(*task)
         };
         let Some(task) = self.compiler.earlier.as_ref().filter(is_theirs) else {
-            return Ok(WithOurs::Same);
+            return Ok(None);
         };
+        let mut without = replaced.clone();
         let missing = Replacement::Unusable(AnswerFileProblem::Missing);
-        let mut ours = replaced.clone();
-        ours.insert(task.clone(), missing);
-        Ok(match self.compile(&ours)? {
-            BuildResult::Program { executable, .. } => WithOurs::Executable(executable),
-            BuildResult::Refused { .. } => WithOurs::DoesNotCompile,
-        })
+        without.insert(task.clone(), missing);
+        Ok(Some((task, self.compile(&without)?)))
     }
 
     /// Whether an answer was replaced by its stub, or is the stub apart from comments and spaces.
@@ -305,6 +322,29 @@ impl<'a> Rounds<'a> {
         };
         replaced.contains_key(&answer.task) || answer.text.as_ref().is_ok_and(is_given)
     }
+}
+
+/// The words of an answer that may name modules: those before `::` or in a `use`.
+fn modules_named(text: &str) -> BTreeSet<String> {
+    let tokens = tokens(text).unwrap_or_default();
+    let mut is_in_use = false;
+    let mut named = BTreeSet::new();
+    for (at, (token, _)) in tokens.iter().enumerate() {
+        match token {
+            Token::Word(word) if word == "use" => is_in_use = true,
+            Token::Mark(';') => is_in_use = false,
+            Token::Word(word) => {
+                let is_path = tokens
+                    .get(at + 1)
+                    .is_some_and(|it| it.0 == Token::Mark(PATH));
+                if is_in_use || is_path {
+                    named.insert(word.clone());
+                }
+            }
+            _ => {}
+        }
+    }
+    named
 }
 
 /// Refuses an answer that the compiler can split into tokens, but we can't.

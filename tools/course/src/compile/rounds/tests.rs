@@ -76,11 +76,16 @@ fn answers_that_need_each_other_are_not_to_blame_for_a_third() {
 fn answers_that_need_each_other_are_not_to_blame_for_two_others() {
     let edits: [fn(&str) -> String; 4] = [
         renamed,
-        |text| format!("{text}\npub fn a() {{ crate::plane::b() }}"),
+        |text| {
+            format!(
+                "// viewing_ray::b, triangle as b\n{text}\npub fn a() {{ crate::plane :: b() }}"
+            )
+        },
         |text| format!("use crate::sphere as s;\n{text}\npub fn b() {{ s::a() }}"),
         no_impl,
     ];
     assert_eq!(replaced(&edits, false), [0, 3]);
+    assert_eq!(replaced(&edits, true), [0, 3], "after the time is up");
 }
 
 #[test]
@@ -137,8 +142,8 @@ fn a_flood_of_warnings_hides_no_error() {
     assert_eq!(replaced(&[clash, flood], false).len(), 1);
 }
 
-#[test]
-fn an_answer_that_gives_no_points_is_to_blame_for_a_clash() {
+/// A right submission of a later assignment, with an answer to a task of an earlier one at its end.
+fn with_earlier_answer() -> (Assignment, Submission) {
     let (assignment, mut submission) = reference_of("bounding_volumes");
     let earlier = &assignment.earlier.as_ref().unwrap().task;
     let given = assignment.reference().join("src").join(earlier.file());
@@ -146,6 +151,32 @@ fn an_answer_that_gives_no_points_is_to_blame_for_a_clash() {
         task: earlier.name.clone(),
         text: Ok(std::fs::read_to_string(given).unwrap()),
     });
+    (assignment, submission)
+}
+
+#[test]
+fn an_answer_that_gives_no_points_is_to_blame_for_errors_in_all_others() {
+    let (assignment, mut submission) = with_earlier_answer();
+    let last = submission.answers.len() - 1;
+    for (position, answer) in submission.answers.iter_mut().enumerate() {
+        // With two ways to compare, the compiler doesn't know which type `into` makes.
+        answer
+            .text
+            .as_mut()
+            .unwrap()
+            .push_str(match position == last {
+                true => {
+                    "struct S; impl PartialEq<S> for f64 { fn eq(&self, _: &S) -> bool { false } }"
+                }
+                false => "#[allow(unused)] fn is_one(x: f64) -> bool { 1.0 == x.into() }",
+            });
+    }
+    assert_eq!(replaced_of(&submission, &assignment, false), [last]);
+}
+
+#[test]
+fn an_answer_that_gives_no_points_is_to_blame_for_a_clash() {
+    let (assignment, submission) = with_earlier_answer();
     let last = submission.answers.len() - 1;
     for clashing in 0..last {
         let mut submission = submission.clone();
