@@ -277,16 +277,12 @@ impl Sandbox {
 
     /// Runs a command made by [`compiler`](Sandbox::compiler) to its end.
     pub fn compile(&self, compiler: Command, limits: &Limits) -> io::Result<CommandResult> {
-        let (begun, before) = (Instant::now(), time_of_children());
         let finished = finish(compiler, limits, |pid| self.watch(pid, limits));
-        // The compiler waits for nothing but the processor.
-        if let Some((before, now)) = before.zip(time_of_children())
-            && let Some(budget) = self.budget()
-        {
-            budget.add_starved(begun.elapsed().saturating_sub(now.saturating_sub(before)));
-        }
         self.sweep();
         let finished = finished?;
+        if let Some(budget) = self.budget() {
+            budget.add_starved(finished.waited);
+        }
         if finished.is_late() {
             self.charge(false);
         }

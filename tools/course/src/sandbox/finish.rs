@@ -21,7 +21,9 @@ pub struct CommandResult {
     pub exceeded: Option<ExceededLimit>,
     /// Whether the clock ended it.
     pub late: bool,
-    /// Whether it was late because other work kept it from running.
+    /// How long other work kept it from running.
+    pub waited: Duration,
+    /// Whether that is why it was late.
     pub starved: bool,
 }
 
@@ -112,6 +114,7 @@ pub fn finish(
         stderr,
         exceeded,
         late,
+        waited: (looked - begun).saturating_sub(own_time),
         starved,
     })
 }

@@ -273,6 +273,12 @@ fn a_command_is_late_by_its_own_clock_and_starved_only_if_others_had_most_of_the
         let begin = Instant::now();
         let finished = finish(shell(line), &limits, |_| Watch::nothing()).expect("a shell");
         assert_eq!((finished.late, finished.starved), (true, starved), "{line}");
+        assert_eq!(
+            finished.waited > limits.wall,
+            starved,
+            "{line}: {:?}",
+            finished.waited
+        );
         assert_eq!(begin.elapsed() >= limits.wall * BUSY, starved, "{line}");
     }
 }
