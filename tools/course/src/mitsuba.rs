@@ -237,7 +237,7 @@ pub fn render(
     let refusal = (status.code() == Some(2)).then(|| {
         Error::input(
             format!("Mitsuba refused:\n{}", said.trim_end()),
-            "change the scene as the message says; finished goldens are kept",
+            "change the scene as the message says",
         )
     });
     match renderer {

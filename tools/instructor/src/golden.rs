@@ -153,13 +153,8 @@ pub fn make(
     // Nobody may read fresh questions before they are asked.
     let is_secret = arguments.out.is_some() && arguments.seed.is_some();
     make_folder(&folder, is_secret)?;
-    // If all of the assignment's films are made again, none of the old ones stays in the manifest.
     let whole = arguments.scenes.is_empty() && arguments.seed.is_none();
-    let manifest = match whole {
-        true => Manifest::default(),
-        false => Manifest::read_or_new(&folder)?,
-    };
-    let mut rendering = Rendering::new(assignment, checkout, &folder, manifest)?.scenes(&scenes)?;
+    let mut rendering = Rendering::new(assignment, checkout, &folder, whole)?.scenes(&scenes)?;
     if let Some(seed) = arguments.seed {
         rendering.random_scenes(seed)?;
     }

@@ -19,18 +19,25 @@ pub struct Rendering<'a> {
     checkout: &'a Checkout,
     folder: &'a Path,
     staging: PathBuf,
+    /// Whether all goldens of the folder are made again.
+    whole: bool,
     manifest: Manifest,
     progress: Progress,
 }
 
 impl<'a> Rendering<'a> {
-    /// Begins with the films in the `manifest` of `folder`.
+    /// Begins with the films of `folder`, unless the `whole` folder is made again: then none of the
+    /// old ones stays in its manifest.
     pub fn new(
         assignment: &'a Assignment,
         checkout: &'a Checkout,
         folder: &'a Path,
-        manifest: Manifest,
+        whole: bool,
     ) -> Result<Rendering<'a>> {
+        let manifest = match whole {
+            true => Manifest::default(),
+            false => Manifest::read_or_new(folder)?,
+        };
         manifest.refuse_other_scripts(folder, assignment, checkout)?;
         let progress = Progress::new();
         progress.say("Mitsuba");
@@ -42,12 +49,14 @@ impl<'a> Rendering<'a> {
             checkout,
             folder,
             staging,
+            whole,
             manifest,
             progress,
         })
     }
 
-    /// Renders scene files. If the scripts refuse one, keeps the goldens of those before it.
+    /// Renders scene files. If the scripts refuse one, keeps the goldens of the others, unless the whole
+    /// folder is made again.
     pub fn scenes(mut self, scenes: &[PathBuf]) -> Result<Rendering<'a>> {
         if scenes.is_empty() {
             return Ok(self);
@@ -64,6 +73,7 @@ impl<'a> Rendering<'a> {
         }
         match rendered.refusal {
             None => Ok(self),
+            Some(refusal) if self.whole => Err(refusal),
             Some(refusal) => self.publish().and(Err(refusal)),
         }
     }

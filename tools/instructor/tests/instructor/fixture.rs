@@ -267,6 +267,35 @@ fn films_stay_as_they_are_until_all_new_ones_are_made() {
 }
 
 #[test]
+fn a_scene_that_is_refused_leaves_all_goldens_in_the_manifest() {
+    let copy = copy("fixture-refused");
+    // The middle pixel's centre lies on the disk's edge.
+    let scene = r#"
+[camera]
+projection = "perspective"
+eye = [0, 0, 0]
+view = [0, 0, -1]
+up = [0, 1, 0]
+focal_length = 1
+width = 2
+height = 2
+resolution = [5, 5]
+
+[[object]]
+type = "disk"
+center = [1, 0, -2]
+normal = [0, 0, 1]
+radius = 1
+"#;
+    fs::write(copy.join("scenes/coins.toml"), scene).expect("it can be written");
+    let manifest = copy.join("../../golden/disks/manifest.toml");
+    let old = fs::read(&manifest).expect("it was copied");
+    let line = ["golden", "render", "--force", "--assignment", plain(&copy)];
+    pinhole(&line).expect_code(2).expect_err("lie on edges");
+    assert_eq!(fs::read(&manifest).ok(), Some(old));
+}
+
+#[test]
 fn a_students_repository_has_the_assignment_in_its_usual_place() {
     let out: PathBuf = fresh(&trusted(), "fixture-handout").join("students");
     run(&["handout", "--check"]).expect_code(0);
