@@ -145,11 +145,13 @@ impl<R: Read + Seek> Archive<R> {
             let start = zip.central_directory_start();
             let mut reader = zip.into_inner();
             left.set(most_read);
-            for name in repeated_names(&mut reader, start) {
-                misplaced.push((text::name(&name), "appears twice"));
-            }
-            if misplaced.is_empty() {
+            let repeated = repeated_names(&mut reader, start);
+            if repeated.is_empty() {
                 return Err("it holds two files with the same name".into());
+            }
+            // A folder may be listed twice.
+            for name in repeated.iter().filter(|name| !name.ends_with(b"/")) {
+                misplaced.push((text::name(name), "appears twice"));
             }
             left.set(most_read);
             zip = open(reader)?;

@@ -204,31 +204,25 @@ const LISTED: &str = "listed.json";
 /// answers than the current ones is not valid. Such a grade remains if the run that should have
 /// graded the current answers was stopped, if another shard has graded them, or if grading failed.
 pub fn standing(folder: &Path, entry: &Entry) -> Option<Record> {
-    let record = last(folder)?;
-    let is_of_these = match &entry.answers {
+    let is_of_these = |record: &Record| match &entry.answers {
         Some(answers) => *answers == record.provenance.answers,
         // They can't be read, so no grade is for them.
         None => !record.is_graded(),
     };
-    Some(match is_of_these {
-        true => record,
-        false => record.not_graded(
-            "these answers have not been graded yet; any older mark is for other answers".into(),
-        ),
-    })
-}
-
-fn last(folder: &Path) -> Option<Record> {
-    let (result, fault) = (
-        read(&folder.join("result.json")),
-        read(&folder.join("fault.json")),
-    );
-    match (&result, &fault) {
-        (Some(result), Some(fault)) if result.provenance == fault.provenance => {}
-        (_, Some(_)) => return fault,
-        (_, None) => {}
+    let [result, fault] = ["result.json", "fault.json"].map(|name| read(&folder.join(name)));
+    // A fault is newer than the result beside it, unless both are of the same run.
+    let is_new = |fault: &Record| {
+        let of = |record: &Record| record.provenance == fault.provenance;
+        !result.as_ref().is_some_and(of)
+    };
+    let records = [fault.filter(is_new), result].into_iter().flatten();
+    let mut records: Vec<Record> = records.collect();
+    if let Some(at) = records.iter().position(is_of_these) {
+        return Some(records.swap_remove(at));
     }
-    result
+    Some(records.into_iter().next()?.not_graded(
+        "these answers have not been graded yet; any older mark is for other answers".into(),
+    ))
 }
 
 /// A record; `None` if there is none, or if it has another version.

@@ -77,6 +77,7 @@ impl StoredResults<'_> {
         if before.got.submission != entry.name || before.remarks != entry.remarks() {
             return Ok(Err(Some("other file names")));
         }
+        self.cache.forget_fault(&entry.id);
         with_current_points(before, self.cache, self.assignment).map(Ok)
     }
 }

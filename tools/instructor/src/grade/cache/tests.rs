@@ -159,17 +159,44 @@ fn unreadable_submission_has_no_grade() {
 
 #[test]
 fn result_of_an_older_version_is_ignored() {
+    let any = crate::grade::class::marks::tests::entry("ada", "ada", "ada");
     let folder = tempfile::tempdir().expect("there is room");
     let cache = ResultCache::open(folder.path()).expect("it is new");
     let path = cache.of("ada").join("result.json");
     let mut record = serde_json::to_value(graded("ada", 1, 1)).expect("it can be written");
     let is_there = |record: &serde_json::Value| {
         write(&path, record.to_string().as_bytes()).expect("there is room");
-        (cache.get("ada").is_some(), last(&cache.of("ada")).is_some())
+        (
+            cache.get("ada").is_some(),
+            standing(&cache.of("ada"), &any).is_some(),
+        )
     };
     assert_eq!(is_there(&record), (true, true));
     record["schema"] = 1.into();
     assert_eq!(is_there(&record), (false, false));
     let oldest = json!({ "schema": 1, "id": "ada", "name": "ada", "points": 1 });
     assert_eq!(is_there(&oldest), (false, false));
+}
+
+#[test]
+fn a_fault_of_an_earlier_run_hides_no_valid_grade() {
+    use crate::grade::class::marks::tests::entry;
+
+    let folder = tempfile::tempdir().expect("there is room");
+    let cache = ResultCache::open(folder.path()).expect("it is new");
+    let mut record = graded("ada", 1, 1);
+    record.provenance.answers = vec![("task".into(), "hash".into())];
+    cache
+        .put(&record, "report", &evidence(&record))
+        .expect("there is room");
+    let mut fault = record
+        .clone()
+        .not_graded("the file could not be read".into());
+    fault.provenance.answers.clear();
+    cache.put_fault(&fault).expect("there is room");
+    let entry = Entry {
+        answers: Some(record.provenance.answers.clone()),
+        ..entry("ada", "ada", "ada")
+    };
+    assert_eq!(standing(&cache.of("ada"), &entry), Some(record));
 }

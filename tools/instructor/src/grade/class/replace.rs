@@ -1,6 +1,6 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path, PathBuf, absolute};
 
 use super::Roll;
@@ -47,7 +47,8 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         return Ok(());
     };
     let here = roll.keys();
-    let absent = class.entries.iter().filter(|it| !here.contains(it.key()));
+    let is_absent = |it: &&Entry| !here.contains(it.key()) && !has_another(roll, &class, it);
+    let absent = class.entries.iter().filter(is_absent);
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
         refuse_other_rules(roll, &class, false)?;
@@ -69,6 +70,20 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
             earlier.display()
         ),
     ))
+}
+
+/// Whether somebody's earlier submission has another name now, because they have changed their name or
+/// handed in again. Names that they may have chosen prove nothing.
+fn has_another(roll: &Roll, class: &Roll, earlier: &Entry) -> bool {
+    let proven = |roll: &Roll| {
+        let of = roll.placed.of.clone().into_iter();
+        let proven = of.filter(|(id, _)| !roll.placed.by_name.contains(id));
+        proven
+            .map(|(id, person)| (id, person.id))
+            .collect::<BTreeMap<_, _>>()
+    };
+    let person = proven(class).remove(&earlier.id);
+    person.is_some_and(|person| proven(roll).values().any(|it| *it == person))
 }
 
 /// Refuses a class without the folders and archives that the class in the `--out` folder was read
@@ -170,6 +185,7 @@ mod tests {
     use crate::grade::class::ROLL;
     use crate::grade::class::marks::tests::{entry, roll};
     use crate::grade::intake::matching::Proof;
+    use crate::grade::intake::names::Sign;
 
     #[test]
     fn an_archive_replaces_no_submission_of_its_name() {
@@ -300,6 +316,15 @@ mod tests {
         let refused = refuse_partial_class(&of(&["bob"]), &earlier, "pass paths");
         let error = refused.expect_err("ada is absent").to_string();
         assert!(error.contains("now missing: ada"), "{error}");
+        // The instructor's folder proves that Ada has handed in again, but an archive doesn't.
+        let mut new = of(&["ada-2", "bob"]);
+        new.entries[0].signs = vec![Sign::Plain("ada".into())];
+        for (at_most, is_refused) in [(Proof::Id, false), (Proof::Name, true)] {
+            new.entries[0].at_most = at_most;
+            new.place();
+            let refused = refuse_partial_class(&new, &earlier, "pass paths");
+            assert_eq!(refused.is_err(), is_refused, "{:?}", new.placed);
+        }
         // Bob's upload may hold work of everybody, and be named like the class.
         let mut new = of(&["ada", "bob"]);
         new.passed.push("/late/hw1".into());

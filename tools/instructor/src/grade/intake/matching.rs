@@ -6,9 +6,10 @@ use unicode_normalization::char::is_combining_mark;
 
 use super::roster::Person;
 
-/// The letters and digits of a text in lower case, with accents composed.
+/// The letters and digits of a text in lower case, with accents composed. A backtick, which names of
+/// files write as in URLs (see [`pinhole_course::submission::text::name`]), is none.
 pub fn folded(text: &str) -> String {
-    let composed: String = text.nfc().collect();
+    let composed: String = text.replace("%60", "`").nfc().collect();
     let kept = composed.chars().filter(|c| c.is_alphanumeric());
     kept.flat_map(char::to_lowercase).collect()
 }

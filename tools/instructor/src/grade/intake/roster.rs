@@ -151,11 +151,12 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
             Some(_) => cell(name).to_owned(),
             None => parts.map(cell).join(" ").trim().to_owned(),
         };
-        // Skip the lines of Canvas's gradebook that are about no student: how grades are posted,
-        // the possible points, and the test student.
+        // Skip the lines of Canvas's gradebook that are about no student: how grades are posted, the
+        // possible points, and the test student, who has no id of the university.
         let mut own = ids.iter().map(|at| (*at, cell(Some(*at))));
         let (column, own) = own.find(|(_, own)| !own.is_empty()).unwrap_or((id, ""));
-        if own.is_empty() && ["", POINTS_POSSIBLE].contains(&&*name) || name == "Student, Test" {
+        let is_test = name == "Student, Test" && (column != ids[0] || ids.len() == 1);
+        if own.is_empty() && ["", POINTS_POSSIBLE].contains(&&*name) || is_test {
             continue;
         }
         if own.is_empty() {
@@ -277,9 +278,11 @@ mod tests {
             ,,,,,Manual Posting\n\
             Points Possible,,,,,100\n\
             \"Lovelace, Ada\",11,20231234,al123,L1,\n\
-            \"Student, Test\",99,,5f3c1a,L1,\n";
+            \"Student, Test\",99,,5f3c1a,L1,\n\
+            \"Student, Test\",12,20231235,al124,L1,\n";
         let mut canvas = people(canvas.as_bytes()).expect("it is a roster");
-        assert_eq!(canvas.len(), 1);
+        assert_eq!(canvas.len(), 2);
+        assert_eq!(canvas[1].id, "20231235", "somebody has this name");
         let ada = canvas.remove(0);
         assert_eq!(
             (ada.id.as_str(), ada.number.as_deref()),

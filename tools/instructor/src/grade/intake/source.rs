@@ -175,7 +175,7 @@ impl Source<'_> {
     pub fn whole(self) -> HandIn {
         let holding = self.holding();
         let mut doubts = Vec::new();
-        if self.holds_answers() && !holding.is_empty() {
+        if holding.len() > 1 || self.holds_answers() && !holding.is_empty() {
             let holding = file_names::quoted(&holding).join(", ");
             doubts.push(format!("other submissions may be in it: {holding}"));
         }

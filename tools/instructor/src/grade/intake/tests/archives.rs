@@ -252,6 +252,46 @@ fn two_files_with_one_path_in_an_archive_of_a_class_are_refused_alone() {
 }
 
 #[test]
+fn a_class_that_was_cut_between_two_files_is_refused() {
+    let mut tar = tar::Builder::new(Vec::new());
+    for name in ["Ada_1", "Eve_2"] {
+        for (path, bytes) in answers(&format!("hw1/{name}_assignsubmission_file/"), name) {
+            let mut header = tar::Header::new_ustar();
+            header.set_size(bytes.len() as u64);
+            let added = tar.append_data(&mut header, path, &bytes[..]);
+            added.expect("memory can be written");
+        }
+    }
+    let whole = tar.into_inner().expect("it ends");
+    let export = Export::new();
+    export.put("class.tar", &whole);
+    export.is_of("class.tar", &["Ada_1", "Eve_2"]);
+    export.put("class.tar", &whole[..whole.len() - 1024]);
+    let said = format!("{:?}", export.find("class.tar").entries);
+    assert!(said.contains("it ends too early"), "{said}");
+}
+
+#[test]
+fn a_folder_that_an_archive_lists_twice_refuses_nothing() {
+    let mut class = answers("hw1/Ada_1_assignsubmission_file/", "ada");
+    for name in ["empty/", "emptY/"] {
+        class.push((
+            format!("hw1/Ada_1_assignsubmission_file/{name}"),
+            Vec::new(),
+        ));
+    }
+    let mut bytes = zip(&class);
+    while let Some(at) = bytes.windows(6).position(|it| it == b"emptY/") {
+        bytes[at..at + 6].copy_from_slice(b"empty/");
+    }
+    let export = Export::new();
+    export.put("class.zip", &bytes);
+    let intake = export.find("class.zip");
+    assert_eq!(intake.entries[0].unusable, Vec::<String>::new());
+    assert_eq!(intake.entries[0].doubts, Vec::<String>::new());
+}
+
+#[test]
 fn a_line_break_in_a_folders_name_hands_in_nothing_for_others() {
     let mut tar = tar::Builder::new(Vec::new());
     let mut add = |path: &str, bytes: &[u8]| {
