@@ -24,16 +24,16 @@ pub fn with_account<'a>(
         let mut named = index.whole(name).filter(|(_, kind)| kind.is_name());
         // A group may be named by a number.
         let is_named = named.any(|(it, _)| it == person) && !(may_be_group && is_in_group(person));
+        // A group may have the name of the person whose number it has, or a word of it.
+        let mut others = index.people.iter();
+        let of_group = others.find(|it| may_be_group && is_in_group(it) && *it != person);
         let proof = match (is_named || share_word(name, &person.name), may_be_group) {
             (true, false) => Proof::Id,
-            (true, true) if is_named => Proof::Id,
+            (true, true) if is_named && of_group.is_none() => Proof::Id,
             (false, true) => Proof::Hint,
             _ => Proof::Name,
         };
-        // A group's name may have a word in common with the person whose number it has.
-        let mut others = index.people.iter();
-        let of_group =
-            others.find(|it| may_be_group && !is_named && is_in_group(it) && *it != person);
+        let of_group = of_group.filter(|_| !is_named);
         return (proof, [person].into_iter().chain(of_group).collect());
     }
     let by_name = index.whole(name).map(|(person, _)| person);

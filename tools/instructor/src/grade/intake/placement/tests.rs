@@ -194,11 +194,19 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
     let name = "Ada fans_2001_assignsubmission_file";
     let placed = place(&entries(&[name]), Some(&people));
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
-    // Nobody can put a person's own submission in doubt by a group's name.
-    people[3].group = Some("Ada Lovelace".into());
+    // Nobody can put a person's own submission in doubt by a group's name, but it is listed.
     let name = "Ada Lovelace_2001_assignsubmission_file";
-    let placed = place(&entries(&[name]), Some(&people));
-    assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+    for group in ["Ada fans", "Ada Lovelace"] {
+        people[3].group = Some(group.into());
+        let others = [
+            "Grace Hopper_2002_assignsubmission_file",
+            "Zoë Müller_2003_assignsubmission_file",
+        ];
+        let placed = place(&entries(&[name, others[0], others[1]]), Some(&people));
+        assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+        let is_listed = placed.by_name.iter().any(|it| it == name);
+        assert_eq!(is_listed, group == "Ada Lovelace", "{placed:?}");
+    }
     // Another group's name may look like that of her group.
     people[0].group = Some("1".into());
     people[3].group = Some("1.".into());
