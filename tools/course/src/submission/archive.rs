@@ -115,6 +115,17 @@ fn repeated_names(reader: &mut (impl Read + Seek), start: u64) -> BTreeSet<Vec<u
     repeated
 }
 
+/// A file's name for people to read, from its bytes and from the library's reading of them. The library
+/// follows the format's specification (APPNOTE 6.3.10, appendix D): without a flag, a name is in code page
+/// 437, as Windows writes it. But other systems write UTF-8 without the flag.
+fn shown(raw: &[u8], read: Option<&str>) -> String {
+    let is_plain = std::str::from_utf8(raw).is_ok();
+    match read.filter(|read| !is_plain && !read.contains(char::REPLACEMENT_CHARACTER)) {
+        Some(read) => text::name(read.as_bytes()),
+        None => text::name(raw),
+    }
+}
+
 impl<R: Read + Seek> Archive<R> {
     /// Reads the list of contents, of which no more than this many bytes are read.
     ///
@@ -161,7 +172,7 @@ impl<R: Read + Seek> Archive<R> {
             let entry = zip
                 .by_index_raw(index)
                 .map_err(|error| format!("its contents make no sense ({error})"))?;
-            let name = text::name(entry.name_raw());
+            let name = shown(entry.name_raw(), entry.name().ok().as_deref());
             let path = match plain_path(&name) {
                 Ok(path) => path,
                 Err(why) => {

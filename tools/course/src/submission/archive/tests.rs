@@ -295,3 +295,16 @@ fn no_text_harms_the_search_for_flags() {
         super::super::flags::of_text("plane", &chosen.collect::<String>());
     });
 }
+
+#[test]
+fn accents_are_read_as_windows_writes_them_and_as_others_do() {
+    for (plain, bytes) in [
+        ("Zo_ M_ller", &b"Zo\x89 M\x81ller"[..]),
+        ("Zo__ M__ller", "Zoë Müller".as_bytes()),
+    ] {
+        let (_folder, path) = archive(&[(&format!("{plain}/sphere.rs"), b"// mine")]);
+        forge(&path, plain.as_bytes(), bytes);
+        let archive = open(&path).expect("a good archive");
+        assert!(archive.holds("Zoë Müller/sphere.rs"), "{plain}");
+    }
+}
