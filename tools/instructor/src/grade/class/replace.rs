@@ -1,6 +1,6 @@
 //! What a run may replace in a folder that holds a graded class.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::{Component, Path, PathBuf, absolute};
 
 use super::Roll;
@@ -47,7 +47,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         return Ok(());
     };
     let here = roll.keys();
-    let is_absent = |it: &&Entry| !here.contains(it.key()) && !has_another(roll, &class, it);
+    let is_absent = |it: &&Entry| !here.contains(it.key()) && !has_new(roll, &class, it);
     let absent = class.entries.iter().filter(is_absent);
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
@@ -72,18 +72,17 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
     ))
 }
 
-/// Whether somebody's earlier submission has another name now, because they have changed their name or
+/// Whether the person of an earlier submission has a new one, because they have changed their name or
 /// handed in again. Names that they may have chosen prove nothing.
-fn has_another(roll: &Roll, class: &Roll, earlier: &Entry) -> bool {
-    let proven = |roll: &Roll| {
-        let of = roll.placed.of.clone().into_iter();
-        let proven = of.filter(|(id, _)| !roll.placed.by_name.contains(id));
-        proven
-            .map(|(id, person)| (id, person.id))
-            .collect::<BTreeMap<_, _>>()
+fn has_new(roll: &Roll, class: &Roll, earlier: &Entry) -> bool {
+    let proven = |roll: &Roll, entry: &Entry| {
+        let person = roll.placed.of.get(&entry.id).map(|it| it.id.clone());
+        person.filter(|_| !roll.placed.by_name.contains(&entry.id))
     };
-    let person = proven(class).remove(&earlier.id);
-    person.is_some_and(|person| proven(roll).values().any(|it| *it == person))
+    let old = class.keys();
+    let mut new = roll.entries.iter().filter(|it| !old.contains(it.key()));
+    let person = proven(class, earlier);
+    person.is_some() && new.any(|it| proven(roll, it) == person)
 }
 
 /// Refuses a class without the folders and archives that the class in the `--out` folder was read
@@ -306,7 +305,7 @@ mod tests {
         refuse_partial_class(&of(&["ada"]), &earlier, "pass paths")
             .expect("nothing was graded before");
         let text = serde_json::to_string(&of(&["ada", "bob"])).expect("it is JSON");
-        fs::write(&earlier, text).expect("there is room");
+        fs::write(&earlier, &text).expect("there is room");
         refuse_partial_class(&of(&["ada", "bob", "eve"]), &earlier, "pass paths")
             .expect("all are here");
         // Somebody hands in `Ada`, and so the id of ada's answers becomes `ada.2`.
@@ -325,6 +324,18 @@ mod tests {
             let refused = refuse_partial_class(&new, &earlier, "pass paths");
             assert_eq!(refused.is_err(), is_refused, "{:?}", new.placed);
         }
+        // If both were there before, one is missing.
+        new.entries[0].at_most = Proof::Id;
+        let mut twins = of(&["ada", "ada-2", "bob"]);
+        twins.entries[1].signs = new.entries[0].signs.clone();
+        for roll in [&mut new, &mut twins] {
+            roll.place();
+        }
+        fs::write(&earlier, serde_json::to_string(&twins).expect("it is JSON"))
+            .expect("there is room");
+        let refused = refuse_partial_class(&new, &earlier, "pass paths");
+        refused.expect_err("one of two is absent");
+        fs::write(&earlier, &text).expect("there is room");
         // Bob's upload may hold work of everybody, and be named like the class.
         let mut new = of(&["ada", "bob"]);
         new.passed.push("/late/hw1".into());
