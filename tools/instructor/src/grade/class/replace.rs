@@ -47,8 +47,7 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
         return Ok(());
     };
     let here = roll.keys();
-    let is_absent = |it: &&Entry| !here.contains(it.key()) && !has_new(roll, &class, it);
-    let absent = class.entries.iter().filter(is_absent);
+    let absent = class.entries.iter().filter(|it| !here.contains(it.key()));
     let absent: Vec<&str> = absent.map(|it| &*it.id).collect();
     if absent.is_empty() {
         refuse_other_rules(roll, &class, false)?;
@@ -70,19 +69,6 @@ pub fn refuse_partial_class(roll: &Roll, earlier: &Path, instead: &str) -> Resul
             earlier.display()
         ),
     ))
-}
-
-/// Whether the person of an earlier submission has a new one, because they have changed their name or
-/// handed in again. Names that they may have chosen prove nothing.
-fn has_new(roll: &Roll, class: &Roll, earlier: &Entry) -> bool {
-    let proven = |roll: &Roll, entry: &Entry| {
-        let person = roll.placed.of.get(&entry.id).map(|it| it.id.clone());
-        person.filter(|_| !roll.placed.by_name.contains(&entry.id))
-    };
-    let old = class.keys();
-    let mut new = roll.entries.iter().filter(|it| !old.contains(it.key()));
-    let person = proven(class, earlier);
-    person.is_some() && new.any(|it| proven(roll, it) == person)
 }
 
 /// Refuses a class without the folders and archives that the class in the `--out` folder was read
@@ -184,7 +170,6 @@ mod tests {
     use crate::grade::class::ROLL;
     use crate::grade::class::marks::tests::{entry, roll};
     use crate::grade::intake::matching::Proof;
-    use crate::grade::intake::names::Sign;
 
     #[test]
     fn an_archive_replaces_no_submission_of_its_name() {
@@ -305,7 +290,7 @@ mod tests {
         refuse_partial_class(&of(&["ada"]), &earlier, "pass paths")
             .expect("nothing was graded before");
         let text = serde_json::to_string(&of(&["ada", "bob"])).expect("it is JSON");
-        fs::write(&earlier, &text).expect("there is room");
+        fs::write(&earlier, text).expect("there is room");
         refuse_partial_class(&of(&["ada", "bob", "eve"]), &earlier, "pass paths")
             .expect("all are here");
         // Somebody hands in `Ada`, and so the id of ada's answers becomes `ada.2`.
@@ -315,27 +300,6 @@ mod tests {
         let refused = refuse_partial_class(&of(&["bob"]), &earlier, "pass paths");
         let error = refused.expect_err("ada is absent").to_string();
         assert!(error.contains("now missing: ada"), "{error}");
-        // The instructor's folder proves that Ada has handed in again, but an archive doesn't.
-        let mut new = of(&["ada-2", "bob"]);
-        new.entries[0].signs = vec![Sign::Plain("ada".into())];
-        for (at_most, is_refused) in [(Proof::Id, false), (Proof::Name, true)] {
-            new.entries[0].at_most = at_most;
-            new.place();
-            let refused = refuse_partial_class(&new, &earlier, "pass paths");
-            assert_eq!(refused.is_err(), is_refused, "{:?}", new.placed);
-        }
-        // If both were there before, one is missing.
-        new.entries[0].at_most = Proof::Id;
-        let mut twins = of(&["ada", "ada-2", "bob"]);
-        twins.entries[1].signs = new.entries[0].signs.clone();
-        for roll in [&mut new, &mut twins] {
-            roll.place();
-        }
-        fs::write(&earlier, serde_json::to_string(&twins).expect("it is JSON"))
-            .expect("there is room");
-        let refused = refuse_partial_class(&new, &earlier, "pass paths");
-        refused.expect_err("one of two is absent");
-        fs::write(&earlier, &text).expect("there is room");
         // Bob's upload may hold work of everybody, and be named like the class.
         let mut new = of(&["ada", "bob"]);
         new.passed.push("/late/hw1".into());
