@@ -33,6 +33,19 @@ pub enum Sign {
     Plain(String),
 }
 
+impl Sign {
+    /// Whether it may name a group, as only Moodle's names do.
+    pub fn may_be_group(&self) -> bool {
+        matches!(
+            self,
+            Sign::Account {
+                may_be_group: true,
+                ..
+            }
+        )
+    }
+}
+
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Platform {

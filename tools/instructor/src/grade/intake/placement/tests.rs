@@ -143,6 +143,19 @@ fn file_name_chosen_by_the_uploader_is_not_trusted() {
 }
 
 #[test]
+fn a_display_name_like_what_moodle_adds_gives_nobody_a_submission() {
+    let mut people = people();
+    people[0].number = Some("11".into());
+    let chosen = "Ada Lovelace_11_assignsubmission_x_13_assignsubmission_file";
+    let others = [
+        "Grace Hopper_12_assignsubmission_file",
+        "Sam Lee_14_assignsubmission_file",
+    ];
+    let placed = place(&entries(&[chosen, others[0], others[1]]), Some(&people));
+    assert_eq!(placed.ambiguous[chosen], people[..1], "{placed:?}");
+}
+
+#[test]
 fn names_that_people_choose_are_listed_and_yield_to_names_that_they_do_not_choose() {
     let named = "lovelaceada_13_502_hw.zip";
     let placed = place(&entries(&[named, "s2", "s3"]), Some(&people()));
