@@ -53,6 +53,7 @@ struct Open {
     unknown: Vec<String>,
     contested: Vec<String>,
     undecided: Vec<String>,
+    by_name: Vec<String>,
     several: Vec<String>,
 }
 
@@ -72,6 +73,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
     let people = roll.people.as_deref().unwrap_or_default();
     let mut open = Open::default();
     for (team, places) in teams.values() {
+        let places = proven(places, roll, rows, &mut open);
         let handed_in: Vec<Attempt> = places
             .iter()
             .map(|at| Attempt::new(*at, &rows.own[*at], policy, team, people))
@@ -103,6 +105,13 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
              counts",
             true,
             open.undecided,
+        ),
+        (
+            "in a group with several submissions, and placed by a name that somebody else may have \
+             chosen: beside one that is placed by an id or a number, they don't count; check whose they \
+             are",
+            true,
+            open.by_name,
         ),
         (
             "late, but nothing says by how much: no points taken off; list the times (`times` in \
@@ -153,6 +162,31 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             }
         })
         .collect();
+}
+
+/// The places of a team's submissions that may count. If names place submissions for several of its
+/// members, or for one beside another who is known by an id, somebody may have chosen a member's name.
+fn proven(places: &[usize], roll: &Roll, rows: &mut Rows, open: &mut Open) -> Vec<usize> {
+    let is_by_name = |at: &&usize| roll.placed.by_name.contains(&rows.own[**at].entry.id);
+    let (by_name, proven): (Vec<usize>, Vec<usize>) = places.iter().partition(is_by_name);
+    let mut people = by_name
+        .iter()
+        .map(|at| rows.own[*at].person.map(|it| &it.id));
+    let first = people.next();
+    if proven.is_empty() && people.all(|it| Some(it) == first) || by_name.is_empty() {
+        return places.to_vec();
+    }
+    for at in &by_name {
+        open.by_name.push(rows.own[*at].entry.id.clone());
+    }
+    if proven.is_empty() {
+        return by_name;
+    }
+    for at in by_name {
+        let why = "not counted: only a name, which anybody may have chosen, says whose it is";
+        rows.own[at].not_counted = Some(why.into());
+    }
+    proven
 }
 
 /// One submission of a team.

@@ -114,6 +114,34 @@ fn an_attempt_that_is_no_better_spends_no_late_days() {
 }
 
 #[test]
+fn who_has_a_members_name_does_not_hand_in_for_a_group() {
+    let mut entries = vec![entry("one", "ada", EARLY), entry("two", "eve", LATE)];
+    let records = records(&[("one", 100), ("two", 0)]);
+    let team: &[(&str, &[&str])] = &[("team", &["ada", "eve"])];
+    let finals_of = |entries: Vec<Entry>| {
+        let roll = roll(entries, RULES, team);
+        let rows = rows(&roll, &records);
+        let listed = rows
+            .concerns
+            .iter()
+            .find(|it| it.what.contains("placed by a name"));
+        assert!(listed.is_none_or(|it| it.is_grave));
+        (finals(&rows), listed.map(|it| it.which.clone()))
+    };
+    let own = |id: &str, submission: &str, points| (id.to_owned(), submission.to_owned(), points);
+    let (marks, listed) = finals_of(entries.clone());
+    assert_eq!(listed, None);
+    assert_eq!(marks.len(), 2);
+    entries[1].at_most = Proof::Name;
+    let (marks, listed) = finals_of(entries.clone());
+    assert_eq!(marks, [own("ada", "one", 100.0), own("eve", "one", 100.0)]);
+    assert_eq!(listed, Some(vec!["two".into()]));
+    entries[0].at_most = Proof::Name;
+    let (_, listed) = finals_of(entries);
+    assert_eq!(listed, Some(vec!["one".into(), "two".into()]));
+}
+
+#[test]
 fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
     let entries = vec![entry("one", "ada", "ada"), entry("two", "eve", "eve")];
     let mut roll = roll(entries, RULES, &[("team", &["ada", "eve"])]);
