@@ -131,13 +131,22 @@ impl<'a> Rounds<'a> {
         replaced: &Replacements,
         is_last: bool,
     ) -> Result<Blamed, Stopped> {
+        let by_place = |found: &[Diagnostic]| blame::by_place(found, self.submission, replaced);
+        let blamed = by_place(diagnostics);
         // Leaving this one out costs no points.
-        if let Some((task, BuildResult::Program { .. })) = self.without_earlier(replaced)? {
+        if let Some((task, without)) = self.without_earlier(replaced)?
+            && match &without {
+                BuildResult::Program { .. } => true,
+                BuildResult::Refused { diagnostics, .. } => {
+                    let left = by_place(diagnostics).replaced;
+                    !left.is_empty() && left.len() < blamed.replaced.len()
+                }
+            }
+        {
             let mut blamed = Blamed::default();
             blamed.add(task, diagnostics);
             return Ok(blamed);
         }
-        let blamed = blame::by_place(diagnostics, self.submission, replaced);
         if !blamed.replaced.is_empty() && !is_last {
             return Ok(blamed);
         }

@@ -172,6 +172,9 @@ fn an_answer_that_gives_no_points_is_to_blame_for_errors_in_all_others() {
             });
     }
     assert_eq!(replaced_of(&submission, &assignment, false), [last]);
+    let text = submission.answers[1].text.as_mut().unwrap();
+    text.push_str("fn wrong() -> u8 { 1.5 }");
+    assert_eq!(replaced_of(&submission, &assignment, false), [1, last]);
 }
 
 #[test]

@@ -41,7 +41,10 @@ fn may_be_sent(row: &Row, has_roster: bool) -> bool {
 /// are numbers (`infer_comment_context_from_filename` in Canvas's source).
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
-    let given = platforms(name).into_iter().next();
+    let ways = platforms(name);
+    let given = ways
+        .first()
+        .filter(|_| row.person.is_some() || ways.len() == 1);
     let given = given.filter(|it| it.platform == Platform::Canvas && it.upload > 0)?;
     if row.is_shared || row.entry.platform != Some(Platform::Canvas) {
         return None;
@@ -166,6 +169,32 @@ mod tests {
         let own = "Ada Lovelace_2001_assignsubmission_file/report.html";
         assert_eq!(folder("Ada Lovelace_2001").as_deref(), Some(own));
         assert_eq!(folder("Team A_3001"), None);
+    }
+
+    #[test]
+    fn a_name_that_may_hold_anothers_number_is_sent_only_to_a_known_person() {
+        use crate::grade::class::marks::tests::entry;
+
+        let person = Person::default();
+        let file = |name: &str, person| {
+            for_canvas(&Row {
+                entry: &entry("one", "ada", name),
+                person,
+                record: None,
+                mark: None,
+                not_counted: None,
+                is_shared: false,
+            })
+        };
+        let plain = "lovelaceada_11_501_hw.zip";
+        assert_eq!(
+            file(plain, None).as_deref(),
+            Some("lovelaceada_11_501_report.html")
+        );
+        let dated = "lovelaceada_11_501_hw_2026_11_20.zip";
+        assert_eq!(file(dated, None), None);
+        let sent = file(dated, Some(&person));
+        assert_eq!(sent.as_deref(), Some("lovelaceada_11_501_report.html"));
     }
 
     #[test]

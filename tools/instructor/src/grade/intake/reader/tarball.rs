@@ -142,14 +142,23 @@ fn each(
             visit(&text::name(&name), &mut entry)?;
         }
     }
-    // Two empty blocks end an archive, and the library reads only one. A part of a class that was cut
-    // between two files looks complete otherwise.
-    match archive.into_inner().read(&mut [0]) {
-        Ok(0) => Err("it ends too early; download it again, or pack it again".into()),
-        Ok(_) => Ok(()),
-        Err(error) => Err(make_no_sense(error)),
+    // Two empty blocks end an archive, and the library reads only one. Otherwise, a class that was cut
+    // between two files would look complete, and so would the first of two archives in one file.
+    let mut rest = Vec::new();
+    let read = archive.into_inner().take(MOST_REST).read_to_end(&mut rest);
+    match rest.iter().any(|byte| *byte != 0) {
+        true => Err("something else comes after its end; pack it again".into()),
+        false if rest.is_empty() => Err(match read {
+            Ok(_) => "it ends too early; download it again, or pack it again".into(),
+            Err(error) => make_no_sense(error),
+        }),
+        false => Ok(()),
     }
 }
+
+/// How many bytes after the end of an archive are read. Programs fill the last record, which usually
+/// has 10 KiB, with zeros.
+const MOST_REST: u64 = 1 << 20;
 
 /// The last value of a key in an extended header, which has records like `17 path=ada/a.rs\n`
 /// (POSIX.1-2008, pax, "pax Header Block"). A name may contain line breaks, so only the length says

@@ -252,7 +252,7 @@ fn two_files_with_one_path_in_an_archive_of_a_class_are_refused_alone() {
 }
 
 #[test]
-fn a_class_that_was_cut_between_two_files_is_refused() {
+fn a_class_that_was_cut_between_two_files_or_put_together_is_refused() {
     let mut tar = tar::Builder::new(Vec::new());
     for name in ["Ada_1", "Eve_2"] {
         for (path, bytes) in answers(&format!("hw1/{name}_assignsubmission_file/"), name) {
@@ -269,6 +269,9 @@ fn a_class_that_was_cut_between_two_files_is_refused() {
     export.put("class.tar", &whole[..whole.len() - 1024]);
     let said = format!("{:?}", export.find("class.tar").entries);
     assert!(said.contains("it ends too early"), "{said}");
+    export.put("class.tar", &whole.repeat(2));
+    let said = format!("{:?}", export.find("class.tar").entries);
+    assert!(said.contains("comes after its end"), "{said}");
 }
 
 #[test]
