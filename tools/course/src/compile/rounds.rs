@@ -131,22 +131,13 @@ impl<'a> Rounds<'a> {
         replaced: &Replacements,
         is_last: bool,
     ) -> Result<Blamed, Stopped> {
-        let by_place = |found: &[Diagnostic]| blame::by_place(found, self.submission, replaced);
-        let blamed = by_place(diagnostics);
         // Leaving this one out costs no points.
-        if let Some((task, without)) = self.without_earlier(replaced)?
-            && match &without {
-                BuildResult::Program { .. } => true,
-                BuildResult::Refused { diagnostics, .. } => {
-                    let left = by_place(diagnostics).replaced;
-                    !left.is_empty() && left.len() < blamed.replaced.len()
-                }
-            }
-        {
+        if let Some((task, BuildResult::Program { .. })) = self.without_earlier(replaced)? {
             let mut blamed = Blamed::default();
             blamed.add(task, diagnostics);
             return Ok(blamed);
         }
+        let blamed = blame::by_place(diagnostics, self.submission, replaced);
         if !blamed.replaced.is_empty() && !is_last {
             return Ok(blamed);
         }
@@ -231,10 +222,9 @@ impl<'a> Rounds<'a> {
             for task in again {
                 let alone = BTreeSet::from([task.clone()]);
                 let with_used = self.with_used(task, again);
-                if alone != with_used && !is_done() {
+                if !self.without(&with_used, replaced, built)? && alone != with_used {
                     self.without(&alone, replaced, built)?;
                 }
-                self.without(&with_used, replaced, built)?;
             }
             if replaced.len() == before || was_done {
                 return Ok(());
@@ -242,7 +232,8 @@ impl<'a> Rounds<'a> {
         }
     }
 
-    /// Stops replacing the answers to `tasks` if the rest compiles with them. Returns whether it did.
+    /// Stops replacing the answers to `tasks` if the rest compiles with them, perhaps without the answer
+    /// that gives no points. Returns whether it did.
     fn without(
         &self,
         tasks: &BTreeSet<String>,
@@ -254,10 +245,18 @@ impl<'a> Rounds<'a> {
         if fewer.len() == replaced.len() {
             return Ok(false);
         }
+        let mut result = self.compile(&fewer)?;
+        if let BuildResult::Refused { diagnostics, .. } = &result
+            && let Some((task, without)) = self.without_earlier(&fewer)?
+        {
+            let why = Replacement::DoesNotCompile(blame::rendered(diagnostics));
+            fewer.insert(task.clone(), why);
+            result = without;
+        }
         let BuildResult::Program {
             executable,
             warnings,
-        } = self.compile(&fewer)?
+        } = result
         else {
             return Ok(false);
         };

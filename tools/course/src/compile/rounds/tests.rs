@@ -134,6 +134,19 @@ fn only_one_of_two_answers_that_clash_is_replaced() {
 }
 
 #[test]
+fn an_answer_with_a_module_named_like_one_that_clashes_returns() {
+    let other: fn(&str) -> String = |text| clash(text).replace("for ()", "for [u8; 2]");
+    let own: fn(&str) -> String = |text| {
+        format!("{text}\nmod sphere {{ pub const X: u8 = 0; }} pub const Y: u8 = sphere::X;")
+    };
+    let replaced = replaced(&[own, clash, clash, other, other], true);
+    assert!(
+        !replaced.contains(&0) && replaced.len() == 2,
+        "{replaced:?}"
+    );
+}
+
+#[test]
 fn a_flood_of_warnings_hides_no_error() {
     let flood: fn(&str) -> String = |text| {
         let unused = |k| format!("fn f{k}() {{ let x = ((1)); }}\n");
@@ -172,9 +185,19 @@ fn an_answer_that_gives_no_points_is_to_blame_for_errors_in_all_others() {
             });
     }
     assert_eq!(replaced_of(&submission, &assignment, false), [last]);
-    let text = submission.answers[1].text.as_mut().unwrap();
-    text.push_str("fn wrong() -> u8 { 1.5 }");
-    assert_eq!(replaced_of(&submission, &assignment, false), [1, last]);
+    // The compiler finds the second error only when there is none of the first kind.
+    for wrong in [
+        "fn wrong() -> u8 { 1.5 }",
+        "fn wrong() -> &'static u8 { let x = 1; &x }",
+    ] {
+        let mut submission = submission.clone();
+        submission.answers[1].text.as_mut().unwrap().push_str(wrong);
+        assert_eq!(
+            replaced_of(&submission, &assignment, false),
+            [1, last],
+            "{wrong}"
+        );
+    }
 }
 
 #[test]
