@@ -36,7 +36,7 @@ impl Source<'_> {
         for hand_in in &mut all {
             let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
             hand_in.at_most = match (self.is_archive, self.is_only) {
-                (true, _) if !are_classes => Proof::Hint,
+                _ if !are_classes => Proof::Hint,
                 (true, true) if is_plain => Proof::Name,
                 (_, false) => Proof::Name,
                 _ => hand_in.at_most,
@@ -194,7 +194,7 @@ impl Source<'_> {
             at_most,
             doubts,
             name: account(&self.name),
-            platform: None,
+            export: None,
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),
             superseded: Vec::new(),

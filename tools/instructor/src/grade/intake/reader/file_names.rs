@@ -1,5 +1,7 @@
 //! Recognises archives, and files that are left out, by their names. Shortens lists of names.
 
+use crate::grade::intake::names;
+
 /// The extensions of archives; only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
 const CLOSED: [&str; 7] = [".rar", ".7z", ".xz", ".txz", ".bz2", ".zst", ".gz"];
@@ -34,9 +36,13 @@ pub fn stem(name: &str) -> &str {
 /// version control, a build, or the operating system. Such a folder contains no answers.
 pub fn is_skipped(path: &[String], from: usize) -> bool {
     let is_inside = path.len() > 1;
-    path[from.min(path.len())..]
-        .iter()
-        .any(|name| is_litter(name) || is_inside && (name.starts_with('.') || name == "target"))
+    let mut below = path[from.min(path.len())..].iter();
+    below.any(|name| is_litter(name) || is_inside && (is_hidden(name) || name == "target"))
+}
+
+/// Whether a folder is hidden on Unix. But people may have display names that begin with a dot.
+pub fn is_hidden(name: &str) -> bool {
+    name.starts_with('.') && names::platforms(name).is_empty()
 }
 
 /// Whether this is a file that operating systems leave in every folder.

@@ -8,7 +8,7 @@ use std::rc::Rc;
 
 use pinhole_course::submission::text;
 
-use super::file_names::is_skipped;
+use super::file_names::{is_hidden, is_skipped};
 use super::limits::Limits;
 use super::unpack::UnreadFile;
 use super::{Content, MOST_FOLDERS, Reader, TopNames};
@@ -48,7 +48,7 @@ fn visit(
     path: &mut Vec<String>,
 ) -> io::Result<()> {
     match kind {
-        held::Kind::Folder if path.len() == 1 && path[0].starts_with('.') => {
+        held::Kind::Folder if path.len() == 1 && is_hidden(&path[0]) => {
             reader.keep(&[format!("{}/", path[0])], Content::Other);
         }
         held::Kind::Folder => {

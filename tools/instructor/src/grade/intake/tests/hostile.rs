@@ -34,7 +34,7 @@ fn a_folder_with_names_of_others_beside_single_submissions_is_listed() {
     let of_mallory = &intake.entries[0];
     assert_eq!(of_mallory.id, "2001");
     assert!(of_mallory.doubts[0].contains("contains names of people"));
-    assert!(placed.by_name.contains(&of_mallory.id), "{placed:?}");
+    assert!(placed.ambiguous.contains_key(&of_mallory.id), "{placed:?}");
 }
 
 #[test]
