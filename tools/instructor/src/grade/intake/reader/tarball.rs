@@ -104,11 +104,11 @@ fn each(
         let mut entry = entry.map_err(make_no_sense)?;
         let kind = entry.header().entry_type();
         if kind == EntryType::GNULongName || kind == EntryType::XHeader {
+            if entry.size() > MOST_HEADER {
+                return Err("a header in it is too long; pack it again, as a ZIP file".into());
+            }
             let mut bytes = Vec::new();
-            let read = (&mut entry)
-                .take(2 * MOST_NAME as u64)
-                .read_to_end(&mut bytes);
-            read.map_err(make_no_sense)?;
+            entry.read_to_end(&mut bytes).map_err(make_no_sense)?;
             match kind {
                 EntryType::GNULongName => {
                     bytes.truncate(bytes.iter().take_while(|byte| **byte != 0).count());
@@ -156,14 +156,16 @@ fn each(
     }
 }
 
+/// The most bytes of an extended header. Apart from names, it holds what the system knows of a file.
+const MOST_HEADER: u64 = 1 << 20;
+
 /// How many bytes after the end of an archive are read. Programs fill the last record, which usually
 /// has 10 KiB, with zeros.
 const MOST_REST: u64 = 1 << 20;
 
 /// The last value of a key in an extended header, which has records like `17 path=ada/a.rs\n`
 /// (POSIX.1-2008, pax, "pax Header Block"). A name may contain line breaks, so only the length says
-/// where a record ends. The last record may be cut off, but then it holds a name that is too long
-/// anyway.
+/// where a record ends.
 fn record(key: &[u8], mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
     let mut value = None;
     while let Some(space) = bytes.iter().position(|byte| *byte == b' ') {
@@ -211,7 +213,6 @@ mod tests {
         let last = own("path", "a") + &own("path", "b") + &time;
         assert_eq!(name(&last), named("b"));
         assert_eq!(name(&time), Ok(None));
-        // The rest is cut off.
         assert_eq!(name("12 path=eve"), named("eve"));
         for broken in ["x path=eve\n", "1 path=eve\n", " path=eve\n"] {
             assert!(name(broken).is_err());
@@ -237,6 +238,32 @@ mod tests {
         assert!(sized("1").is_ok());
         let result = sized("8589934592");
         assert!(matches!(result, Err(ReadFailure::Refused(why)) if why.contains("8 GiB")));
+    }
+
+    #[test]
+    fn a_name_after_long_records_is_read() {
+        let named_after = |length: usize| {
+            let mut tar = tar::Builder::new(Vec::new());
+            let long = "x".repeat(length);
+            let records = [("SCHILY.xattr.user.x", long.as_bytes()), ("path", b"ada")];
+            let added = tar.append_pax_extensions(records);
+            added.expect("memory can be written");
+            let mut header = tar::Header::new_ustar();
+            header.set_size(0);
+            let added = tar.append_data(&mut header, "eve", &b""[..]);
+            added.expect("memory can be written");
+            let mut file = tempfile::tempfile().expect("there is room");
+            let written = file.write_all(&tar.into_inner().expect("it ends"));
+            written.and_then(|()| file.rewind()).expect("there is room");
+            let mut names = Vec::new();
+            let visit = |name: &str, _: &mut TarEntry| {
+                names.push(name.to_owned());
+                Ok(())
+            };
+            each(file, Rc::new(Limits::of_one(None)), visit).map(|()| names)
+        };
+        assert_eq!(named_after(10 * MOST_NAME), Ok(vec!["ada".into()]));
+        assert!(named_after(1 << 20).is_err_and(|why| why.contains("too long")));
     }
 
     #[test]
