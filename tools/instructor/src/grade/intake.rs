@@ -30,7 +30,7 @@ use serde::{Deserialize, Serialize};
 use self::hand_in::HandIn;
 use self::index::Index;
 use self::matching::Proof;
-use self::names::{Export, Platform, PlatformName, Sign};
+use self::names::{Platform, PlatformName, Sign};
 use self::reader::file_names;
 use self::roster::Person;
 use self::source::Source;
@@ -50,9 +50,9 @@ pub struct Entry {
     /// The names of its files and folders, which may say when it was handed in.
     #[serde(default)]
     pub given: Vec<String>,
-    /// The export that these names are from, if a platform gave them.
+    /// The platform that gave these names, if one did.
     #[serde(default)]
-    pub export: Option<Export>,
+    pub platform: Option<Platform>,
     /// What these names say about the person who handed it in.
     pub signs: Vec<Sign>,
     /// The most that these names can prove.
@@ -85,14 +85,10 @@ impl Entry {
         file_names::stem(&self.name)
     }
 
-    pub fn is_from(&self, platform: Platform) -> bool {
-        self.export.is_some_and(|it| it.platform == platform)
-    }
-
     /// The names that this platform gave to its files, if each can be read in one way only.
     pub fn named_by(&self, of: Platform) -> impl Iterator<Item = PlatformName<'_>> {
-        let given = self.given.iter().filter(move |_| self.is_from(of));
-        let names = given.filter_map(move |name| names::reading(name, self.export));
+        let given = self.given.iter().filter(move |_| self.platform == Some(of));
+        let names = given.filter_map(move |name| names::reading(name, Some(of)));
         names.filter(move |name| name.platform == of)
     }
 
@@ -237,7 +233,7 @@ fn entry(
         id,
         name: one.name,
         given: one.given,
-        export: one.export,
+        platform: one.platform,
         signs: one.signs,
         at_most: one.at_most,
         notes: Vec::new(),

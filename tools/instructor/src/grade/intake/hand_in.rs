@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Proof;
-use super::names::{self, Export, PlatformName, Sign};
+use super::names::{self, Platform, PlatformName, Sign};
 use super::reader::{Content, FoundFile, file_names};
 
 /// What one person handed in.
@@ -12,8 +12,8 @@ pub struct HandIn {
     pub name: String,
     /// The names of its files or folders, as the platform gave them.
     pub given: Vec<String>,
-    /// The export that these names are from, if a platform gave them.
-    pub export: Option<Export>,
+    /// The platform that exported these files, if one did.
+    pub platform: Option<Platform>,
     /// What the names say about the person. There are several signs if the names may contradict
     /// each other.
     pub signs: Vec<Sign>,
@@ -67,10 +67,10 @@ pub fn account(name: &str) -> String {
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they
 /// can prove. The name of an archive may be its author's choice, unless it comes from this platform.
-pub fn signs(name: &str, from: Option<Export>) -> (Vec<Sign>, Proof) {
+pub fn signs(name: &str, from: Option<Platform>) -> (Vec<Sign>, Proof) {
     let platforms = names::readings(name, from);
     let is_archive = file_names::is_archive(name);
-    let is_given = from.is_some_and(|from| platforms.iter().any(|it| it.platform == from.platform));
+    let is_given = platforms.iter().any(|it| Some(it.platform) == from);
     let at_most = match is_archive && !is_given {
         true => Proof::Name,
         false => Proof::Id,
@@ -90,13 +90,13 @@ pub fn signs(name: &str, from: Option<Export>) -> (Vec<Sign>, Proof) {
 /// Divides the files of a class among its people.
 pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let export = names::exported_by(tops.keys());
+    let platform = names::exported_by(tops.keys());
     let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
         let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
-        let name = match &names::readings(&top, export)[..] {
+        let name = match &names::readings(&top, platform)[..] {
             [only] => only.submission.clone(),
             [] if !found.iter().any(holds) => {
                 let is_settings = top.starts_with('.') && !top.ends_with('/');
@@ -110,11 +110,11 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let accounts: BTreeSet<String> = all.keys().cloned().collect();
     let may_be_later = |hand_in: &HandIn| {
         let name = &hand_in.name;
-        let mut others = names::readings(name, export).into_iter();
+        let mut others = names::readings(name, platform).into_iter();
         others.any(|it| it.submission != *name && accounts.contains(&it.submission))
     };
     let all = all.into_iter().map(|(name, parts)| {
-        let mut hand_in = of_one(name, export, parts);
+        let mut hand_in = of_one(name, platform, parts);
         if may_be_later(&hand_in) {
             let why = "it may be a later upload by the same person as another submission; of a person's \
                        uploads, only the newest is graded";
@@ -127,21 +127,25 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
 
 /// What one person handed in, in one or several uploads. Of several archives, only the newest
 /// counts.
-fn of_one(name: String, export: Option<Export>, parts: Vec<(String, Vec<FoundFile>)>) -> HandIn {
-    let order = |top: &str| names::reading(top, export).map_or(0, |it| it.upload);
+fn of_one(
+    name: String,
+    platform: Option<Platform>,
+    parts: Vec<(String, Vec<FoundFile>)>,
+) -> HandIn {
+    let order = |top: &str| names::reading(top, platform).map_or(0, |it| it.upload);
     let archives = parts.iter().map(|(top, _)| top);
     let newest = archives
         .filter(|top| file_names::is_archive(top))
         .map(|top| order(top))
         .max();
-    let (signs, at_most) = signs(&parts[0].0, export);
+    let (signs, at_most) = signs(&parts[0].0, platform);
     let mut hand_in = HandIn {
         signs,
         at_most,
         doubts: Vec::new(),
         name,
         given: Vec::new(),
-        export,
+        platform,
         uploads: Vec::new(),
         superseded: Vec::new(),
     };
@@ -152,7 +156,7 @@ fn of_one(name: String, export: Option<Export>, parts: Vec<(String, Vec<FoundFil
             continue;
         }
         hand_in.given.push(top.clone());
-        let rest = names::reading(&top, export).map_or(top.clone(), |it| it.rest.into());
+        let rest = names::reading(&top, platform).map_or(top.clone(), |it| it.rest.into());
         let uploads = found.into_iter().map(|found| Upload {
             path: match (found.path.len(), &found.content) {
                 (1, Content::Answer { .. } | Content::Other) => vec![rest.clone()],

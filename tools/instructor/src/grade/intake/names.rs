@@ -33,6 +33,19 @@ pub enum Sign {
     Plain(String),
 }
 
+impl Sign {
+    /// Whether it may name a group, as only Moodle's names do.
+    pub fn may_be_group(&self) -> bool {
+        matches!(
+            self,
+            Sign::Account {
+                may_be_group: true,
+                ..
+            }
+        )
+    }
+}
+
 #[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Platform {
@@ -40,15 +53,6 @@ pub enum Platform {
     Moodle,
     Blackboard,
     Brightspace,
-}
-
-/// A class that a platform has exported.
-#[derive(Clone, Copy, Debug, Deserialize, Eq, PartialEq, Serialize)]
-pub struct Export {
-    pub platform: Platform,
-    /// Canvas counts its files, so all numbers of a class's files are greater than this. `0` for
-    /// other platforms.
-    pub least_file: u64,
 }
 
 const PLATFORMS: [Platform; 4] = [
@@ -242,30 +246,24 @@ pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
 }
 
 /// All ways to read a name as that of the platform it comes from. If it doesn't look like that
-/// platform's, or nobody knows the platform, all ways. A date in a name that a student gave to a file
-/// looks like an account and a file on Canvas, but such a file's number would be too small.
-pub fn readings(name: &str, from: Option<Export>) -> Vec<PlatformName<'_>> {
+/// platform's, or nobody knows the platform, all ways.
+pub fn readings(name: &str, from: Option<Platform>) -> Vec<PlatformName<'_>> {
     let mut all = platforms(name);
-    let Some(from) = from else { return all };
-    if all.iter().any(|it| it.platform == from.platform) {
-        all.retain(|it| it.platform == from.platform);
-        let mut is_first = true;
-        all.retain(|it| {
-            std::mem::take(&mut is_first) || it.upload == 0 || it.upload > from.least_file
-        });
+    if all.iter().any(|it| Some(it.platform) == from) {
+        all.retain(|it| Some(it.platform) == from);
     }
     all
 }
 
 /// The only one of these ways.
-pub fn reading(name: &str, from: Option<Export>) -> Option<PlatformName<'_>> {
+pub fn reading(name: &str, from: Option<Platform>) -> Option<PlatformName<'_>> {
     let mut all = readings(name, from);
     all.pop().filter(|_| all.is_empty())
 }
 
 /// Whose upload this may be: all with this text are one person's. If a name can be read in several
 /// ways, its author may have made it look like somebody else's, so the text is nobody's clear name.
-pub fn account(name: &str, from: Option<Export>) -> String {
+pub fn account(name: &str, from: Option<Platform>) -> String {
     match &readings(name, from)[..] {
         [] => name.into(),
         [only] => format!("{}_{}", only.person, only.number),
@@ -275,29 +273,17 @@ pub fn account(name: &str, from: Option<Export>) -> String {
 
 /// The platform that has exported a class: the one as whose most of these names can be read. What an
 /// uploader adds to a name may look like another platform's.
-pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Export> {
-    let all: Vec<Vec<PlatformName>> = names.map(|name| platforms(name)).collect();
-    let is_of = |of, all: &&Vec<PlatformName>| all.iter().any(|it| it.platform == of);
-    let count = |of| all.iter().filter(|it| is_of(of, it)).count();
+pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Platform> {
+    let read = |name: &String| -> Vec<Platform> {
+        let all = platforms(name).into_iter();
+        all.map(|it| it.platform).collect()
+    };
+    let all: Vec<Vec<Platform>> = names.map(read).collect();
+    let count = |of| all.iter().filter(|it| it.contains(&of)).count();
     let mut counts = PLATFORMS.map(|it| (count(it), it));
     counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
     let [(most, platform), (next, _), ..] = counts;
-    // One of the ways to read a name gives the number of its file, and the others may give greater
-    // ones, but not all names do. Numbers of one class's files are not far apart.
-    let files = all.iter().filter_map(|ways| {
-        let ways = ways.iter().filter(|it| it.platform == Platform::Canvas);
-        let files = ways.map(|it| it.upload).collect::<Vec<_>>();
-        files.iter().max().copied().filter(|_| !files.contains(&0))
-    });
-    let least_file = match platform {
-        Platform::Canvas => files.min().unwrap_or_default() / 100,
-        _ => 0,
-    };
-    let export = Export {
-        platform,
-        least_file,
-    };
-    (most > next && 2 * most > all.len()).then_some(export)
+    (most > next && 2 * most > all.len()).then_some(platform)
 }
 
 /// When something was handed in, according to its names.
@@ -325,7 +311,7 @@ mod tests {
     fn most_names_tell_the_platform_whatever_uploaders_add() {
         let export = |names: &[&str]| {
             let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            exported_by(names.iter()).map(|it| it.platform)
+            exported_by(names.iter())
         };
         let [ada, bob, eve] = [
             "Ada_11_assignsubmission_file_hw.zip",
@@ -338,28 +324,6 @@ mod tests {
         assert_eq!(export(&[eve]), None);
         assert_eq!(export(&["1001", "1002", "manneve_11_1_hw.zip"]), None);
         assert_eq!(export(&[]), None);
-    }
-
-    #[test]
-    fn a_date_is_no_account_if_it_is_less_than_all_numbers_of_files() {
-        let ways = |names: &[&str]| {
-            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            let export = exported_by(names.iter());
-            readings(&names[0], export).len()
-        };
-        let dated = "lovelaceada_11_50100_hw_2026_11_20.zip";
-        assert_eq!(ways(&[dated]), 1);
-        let bob = "babbagebob_12_50200_hw.zip";
-        assert_eq!(ways(&["lovelaceada_11_50100_2026_hw.zip", bob]), 2);
-        assert_eq!(ways(&["lovelaceada_11_50100_500_hw.zip", bob]), 1);
-        // Somebody's display name is `LovelaceAda_11`, and account 99 is theirs.
-        let mallory = "lovelaceada_11_99_50300_hw.zip";
-        assert_eq!(ways(&[mallory, bob, dated]), 2);
-        let large = "lovelaceada_11_99_50300_hw_1_999999999_x.zip";
-        assert_eq!(ways(&[large, bob]), 3);
-        // Text has no number of a file.
-        assert_eq!(ways(&["lovelaceada_11_99_text.html", bob, dated]), 2);
-        assert_eq!(ways(&[dated, "mann_1_13_text.html"]), 1);
     }
 
     #[test]

@@ -107,11 +107,18 @@ fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
         }
     }
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
+    // The name that the uploader gave a file can look like what the platform adds, as in
+    // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first. But what Moodle adds,
+    // nobody writes by chance, except into a display name, which comes before it.
+    let first = all.first().filter(|(_, of)| !of.is_empty());
+    let is_moodles = entry.signs.iter().any(|sign| sign.may_be_group());
+    let is_first = first.is_some_and(|(proof, _)| *proof == Proof::Id) && !is_moodles;
     let proof = match all.iter().all(|(_, of)| agree(of)) {
         true => all.iter().map(|(proof, _)| *proof).min(),
-        false => None,
+        false => is_first.then_some(Proof::Name),
     };
-    (proof.unwrap_or(Proof::Hint).min(entry.at_most), found)
+    let proof = proof.unwrap_or(Proof::Hint);
+    (proof.min(entry.at_most), found)
 }
 
 /// Finds the person of each submission. Without a roster, it finds nobody.

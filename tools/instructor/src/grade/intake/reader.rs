@@ -18,7 +18,7 @@ use std::rc::Rc;
 use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
 pub use self::unpack::utf_16;
-use super::names::{self, Export};
+use super::names::{self, Platform};
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};
@@ -131,8 +131,8 @@ struct Reader<'a> {
     stopped: BTreeSet<Vec<String>>,
     /// Whether there is a single folder around everything.
     is_wrapped: bool,
-    /// The export that everything is from, if a platform has exported it.
-    export: Option<Export>,
+    /// The platform that has exported everything, if one did.
+    platform: Option<Platform>,
 }
 
 /// The names at the top and, as long as there is only one, the names inside it.
@@ -182,7 +182,7 @@ impl<'a> Reader<'a> {
             whole: Rc::new(Limits::of_folder(0)),
             stopped: BTreeSet::new(),
             is_wrapped: false,
-            export: None,
+            platform: None,
         }
     }
 
@@ -190,7 +190,7 @@ impl<'a> Reader<'a> {
     /// each of them read as far as a whole submission.
     fn name_submissions(&mut self, names: TopNames) {
         self.is_wrapped = names.tops.len() == 1 && !names.inside.contains(&None);
-        self.export = match self.is_wrapped {
+        self.platform = match self.is_wrapped {
             true => names::exported_by(names.inside.iter().flatten()),
             false => names::exported_by(names.tops.iter()),
         };
@@ -206,7 +206,7 @@ impl<'a> Reader<'a> {
         if self.last.0 != own {
             let mut account = own.to_vec();
             if let Some(name) = account.last_mut().filter(|it| it.len() <= LONGEST_NAME) {
-                *name = names::account(name, self.export);
+                *name = names::account(name, self.platform);
             }
             self.last = (own.to_vec(), account);
         }

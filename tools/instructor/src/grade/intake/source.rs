@@ -194,7 +194,7 @@ impl Source<'_> {
             at_most,
             doubts,
             name: account(&self.name),
-            export: None,
+            platform: None,
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),
             superseded: Vec::new(),

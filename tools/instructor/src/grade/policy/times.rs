@@ -174,7 +174,7 @@ impl Policy {
             };
         };
         // Without a platform, a person may have put another's number into a name.
-        let signs = entry.signs.iter().filter(|_| entry.export.is_some());
+        let signs = entry.signs.iter().filter(|_| entry.platform.is_some());
         let signs = signs.filter_map(|sign| match sign {
             Sign::Account {
                 number,
@@ -245,7 +245,7 @@ impl Policy {
 
     /// When a submission was handed in, according to the names of its files.
     pub fn named(&self, entry: &Entry) -> Option<HandInTime<Timestamp>> {
-        let named = names::handed_in(&entry.given, entry.export?.platform)?;
+        let named = names::handed_in(&entry.given, entry.platform?)?;
         Some(match named {
             HandInTime::Late => HandInTime::Late,
             HandInTime::At(local) => {

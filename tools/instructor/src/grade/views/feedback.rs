@@ -10,7 +10,7 @@ use super::gradebook::has_number_of;
 use super::report;
 use crate::grade::cache::ResultCache;
 use crate::grade::class::{Class, Row};
-use crate::grade::intake::names::{Platform, reading};
+use crate::grade::intake::names::{Platform, platforms};
 use pinhole_course::error::{Error, Result, ResultExt};
 
 /// The archives for Canvas, for Moodle, and for other ways of sending.
@@ -41,8 +41,12 @@ fn may_be_sent(row: &Row, has_roster: bool) -> bool {
 /// are numbers (`infer_comment_context_from_filename` in Canvas's source).
 fn for_canvas(row: &Row) -> Option<String> {
     let name = row.entry.given.last()?;
-    let given = reading(name, row.entry.export)?;
-    if row.is_shared || !row.entry.is_from(Platform::Canvas) || given.upload == 0 {
+    let ways = platforms(name);
+    let given = ways
+        .first()
+        .filter(|_| row.person.is_some() || ways.len() == 1);
+    let given = given.filter(|it| it.platform == Platform::Canvas && it.upload > 0)?;
+    if row.is_shared || row.entry.platform != Some(Platform::Canvas) {
         return None;
     }
     let own = name.strip_suffix(given.rest)?;
@@ -168,7 +172,7 @@ mod tests {
     }
 
     #[test]
-    fn a_report_whose_name_may_hold_anothers_number_is_not_sent() {
+    fn a_name_that_may_hold_anothers_number_is_sent_only_to_a_known_person() {
         use crate::grade::class::marks::tests::entry;
 
         let person = Person::default();
@@ -187,12 +191,10 @@ mod tests {
             file(plain, None).as_deref(),
             Some("lovelaceada_11_501_report.html")
         );
-        // A file number of 11 is possible if another is 501, but not if it is 50100.
         let dated = "lovelaceada_11_501_hw_2026_11_20.zip";
-        assert_eq!(file(dated, Some(&person)), None);
-        let dated = "lovelaceada_11_50100_hw_2026_11_20.zip";
-        let sent = file(dated, None);
-        assert_eq!(sent.as_deref(), Some("lovelaceada_11_50100_report.html"));
+        assert_eq!(file(dated, None), None);
+        let sent = file(dated, Some(&person));
+        assert_eq!(sent.as_deref(), Some("lovelaceada_11_501_report.html"));
     }
 
     #[test]
@@ -201,7 +203,7 @@ mod tests {
             id: "7".into(),
             name: "7.zip".into(),
             given: Vec::new(),
-            export: None,
+            platform: None,
             signs: Vec::new(),
             at_most: Proof::Name,
             notes: Vec::new(),

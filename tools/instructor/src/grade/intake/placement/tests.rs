@@ -11,7 +11,7 @@ fn entry(name: &str) -> Entry {
     };
     Entry {
         given: Vec::new(),
-        export: None,
+        platform: None,
         id: name.into(),
         name: name.into(),
         signs,
@@ -240,13 +240,14 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
 }
 
 #[test]
-fn an_upload_that_may_be_of_two_accounts_belongs_to_nobody() {
+fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     let mut people = people();
     people[0].number = Some("11".into());
     people[1].number = Some("12".into());
     let name = "lovelaceada_11_501_hw_2026_11_20.zip";
     let placed = place(&entries(&[name]), Some(&people));
-    assert!(placed.ambiguous.contains_key(name), "{placed:?}");
+    assert_eq!(placed.of[name].id, "s1", "{placed:?}");
+    assert_eq!(placed.by_name, [name]);
     // Here, the first part is the name of nobody whom we know.
     let chosen = "HW_attempt_2026-11-20-23-59-01_11_501_z.zip";
     let placed = place(&entries(&[chosen]), Some(&people));

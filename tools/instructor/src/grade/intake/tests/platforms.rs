@@ -19,12 +19,12 @@ fn only_the_platform_of_the_export_gives_times_and_numbers() {
         let number = entry.named_by(Platform::Moodle).next().map(|it| it.number);
         let is_ada = number == Some("11");
         assert_eq!(is_ada, entry.name.starts_with("Ada"), "{entry:?}");
-        assert!(entry.is_from(Platform::Moodle), "{entry:?}");
+        assert_eq!(entry.platform, Some(Platform::Moodle), "{entry:?}");
         let time = names::handed_in(&entry.given, Platform::Moodle);
         assert_eq!(time, None, "{entry:?}");
     }
     for entry in export.find("folders").entries {
-        assert_eq!(entry.export, None, "{entry:?}");
+        assert_eq!(entry.platform, None, "{entry:?}");
         assert_eq!(entry.named_by(Platform::Canvas).next(), None, "{entry:?}");
         let is_hers = entry.given[0].starts_with("manneve");
         assert_eq!(entry.at_most == Proof::Name, is_hers, "{entry:?}");
@@ -47,7 +47,7 @@ fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
         let intake = find(paths, &assignment(), None).expect("they can be read");
         assert_eq!(intake.entries.len(), paths.len());
         for entry in intake.entries {
-            assert_eq!(entry.export, None, "{entry:?}");
+            assert_eq!(entry.platform, None, "{entry:?}");
             assert!(entry.at_most <= Proof::Name, "{entry:?}");
         }
     }
