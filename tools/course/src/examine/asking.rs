@@ -174,6 +174,10 @@ impl Examiner<'_> {
         match &reply.ending {
             Ending::Complete => {}
             Ending::TimedOut(_) if self.interactive => {}
+            Ending::TimedOut(_) => {
+                self.sandbox.forgive();
+                return Ok(None);
+            }
             _ => return Ok(None),
         }
         let printed = std::mem::take(&mut reply.printed);

@@ -97,6 +97,14 @@ impl Budget {
         self.lost.fetch_add(1, Ordering::Relaxed);
         self.has_starved.fetch_or(is_starved, Ordering::Relaxed);
     }
+
+    /// Takes one of these limits back, because what was asked is asked again.
+    pub fn forgive(&self) {
+        let less = |lost: u32| Some(lost.saturating_sub(1));
+        let _before = self
+            .lost
+            .fetch_update(Ordering::Relaxed, Ordering::Relaxed, less);
+    }
 }
 
 #[cfg(test)]
@@ -167,5 +175,7 @@ mod tests {
         budget.charge(false);
         assert_eq!(budget.bound(limits).cpu, seconds(9));
         assert_eq!(budget.bound(limits).silence, seconds(20));
+        budget.forgive();
+        assert_eq!(budget.bound(limits), limits);
     }
 }
