@@ -36,7 +36,7 @@ impl Roll {
         let has_old_time = |it: &&Entry| self.changed.contains_key(it.key());
         let with_old_times = self.entries.iter().filter(has_old_time);
         let with_old_times = with_old_times.filter(|_| !self.times().is_empty());
-        let all: [(&str, bool, Vec<String>); 10] = [
+        let all: [(&str, bool, Vec<String>); 11] = [
             (
                 "with missing or refused answer files",
                 true,
@@ -55,6 +55,11 @@ impl Roll {
                  logins (column `github`) to the roster",
                 false,
                 self.names(&placed.by_name),
+            ),
+            (
+                "matched by an id or a login, but somebody else may have chosen the same: check them",
+                false,
+                self.names(&placed.contested),
             ),
             ("not part of any submission", true, self.ignored.clone()),
             (

@@ -1,6 +1,6 @@
 //! Whose submission it is, by what a platform wrote into its name.
 
-use super::index::{Index, words};
+use super::index::{Index, Kind, words};
 use super::matching::{Proof, folded, unaccented};
 use super::roster::Person;
 
@@ -30,13 +30,18 @@ pub fn with_account<'a>(
         let proof = match (is_named || share_word(name, &person.name), may_be_group) {
             (true, false) => Proof::Id,
             (true, true) if is_named && of_group.is_none() => Proof::Id,
+            (true, true) if !is_named => Proof::Name,
             (false, true) => Proof::Hint,
-            _ => Proof::Name,
+            _ => Proof::Given,
         };
         let of_group = of_group.filter(|_| !is_named);
         return (proof, [person].into_iter().chain(of_group).collect());
     }
-    let by_name = index.whole(name).map(|(person, _)| person);
+    // People may have chosen an address like somebody's name.
+    let is_called = |it: &Person, kind: Kind| kind.is_name() || may_be_group && is_in_group(it);
+    let by_name = index.whole(name);
+    let by_name = by_name.filter(|(it, kind)| is_called(it, *kind));
+    let by_name = by_name.map(|(person, _)| person);
     // On Moodle, the number is the group's.
     let is_free = |it: &Person| it.number.is_none() || may_be_group && is_in_group(it);
     let by_name: Vec<&Person> = by_name.filter(|it| is_free(it)).collect();
@@ -72,12 +77,13 @@ pub fn with_login<'a>(text: &str, title: &str, people: &'a [Person]) -> (Proof, 
     let mut proof = Proof::Id;
     for at in starts {
         let is = |own: &str| own.eq_ignore_ascii_case(&text[at..]);
-        for person in people {
-            let is_assigned = is(&person.id) || person.assigned_logins().any(|it| is(it));
-            if !is_assigned && !person.addresses().any(is) {
-                continue;
-            }
-            if at != title || !is_assigned {
+        let has_login = |it: &&Person| is(&it.id) || it.assigned_logins().any(|it| is(it));
+        let mut all: Vec<&Person> = people.iter().filter(has_login).collect();
+        if all.is_empty() {
+            all.extend(people.iter().filter(|it| it.addresses().any(is)));
+        }
+        for person in all {
+            if at != title || !has_login(&person) {
                 proof = Proof::Name;
             }
             if !found.contains(&person) {

@@ -16,8 +16,12 @@ pub fn folded(text: &str) -> String {
 
 /// The letters and digits of a text in lower case, without accents.
 pub fn unaccented(text: &str) -> String {
-    let plain: String = text.nfkd().filter(|c| !is_combining_mark(*c)).collect();
-    folded(&plain)
+    folded(&without_accents(text))
+}
+
+/// A text without accents.
+pub fn without_accents(text: &str) -> String {
+    text.nfkd().filter(|c| !is_combining_mark(*c)).collect()
 }
 
 /// The same, without the letters that have accents. Canvas drops them from names.
@@ -62,6 +66,8 @@ pub enum Proof {
     Hint,
     /// A name or a login that people may have chosen themselves.
     Name,
+    /// An id or a login, but the instructor should check it.
+    Given,
     /// A number or a login that the platform gave, or a name that the instructor gave.
     #[default]
     Id,
@@ -72,22 +78,14 @@ pub fn has_chosen_id(person: &Person) -> bool {
     person.github.as_ref() == Some(&person.id)
 }
 
-/// The people with this id or login, as the university assigned them. Unless it is an id, nobody
-/// knows whether people who have chosen it on GitHub, or for their group, are meant instead.
+/// The people with this id or login, as the university assigned them.
 pub fn with_assigned<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let is = |own: &String| own.eq_ignore_ascii_case(id);
     let has_id = |person: &Person| !has_chosen_id(person) && is(&person.id);
-    let has_login = |person: &Person| person.logins.iter().any(is);
-    let found = people.iter().filter(|it| has_id(it) || has_login(it));
-    let mut found: Vec<&Person> = found.collect();
-    if !found.is_empty() && !found.iter().any(|it| has_id(it)) {
-        let has_chosen =
-            |it: &Person| it.github.as_ref().is_some_and(is) || it.group.as_ref().is_some_and(is);
-        let chosen = people.iter().filter(|it| has_chosen(it));
-        let chosen: Vec<&Person> = chosen.filter(|it| !found.contains(it)).collect();
-        found.extend(chosen);
-    }
+    let found = people.iter();
     found
+        .filter(|it| has_id(it) || it.logins.iter().any(is))
+        .collect()
 }
 
 /// Whether this is the id or the login that the university gave to somebody.

@@ -26,9 +26,13 @@ pub struct Placement {
     /// Submissions by people who are not on the roster. They are graded.
     pub unknown: Vec<String>,
     /// Submissions whose person is known only by a name or a login, which people may have chosen
-    /// themselves, or by an id that somebody else has chosen for a name or a login.
+    /// themselves.
     #[serde(default)]
     pub by_name: Vec<String>,
+    /// Submissions whose person is known by an id or a login, but the instructor should check it,
+    /// perhaps because somebody else has chosen it for a name or a login.
+    #[serde(default)]
+    pub contested: Vec<String>,
     /// Submissions that may belong to several people, or that contradict themselves, and these
     /// people. They are graded.
     pub ambiguous: BTreeMap<String, Vec<Person>>,
@@ -69,6 +73,9 @@ impl<'a> Names<'a> {
                 _ => {}
             }
         }
+        // Somebody may have handed in many attempts.
+        logins.sort();
+        logins.dedup();
         Names {
             convention: Convention::of(&plain, people),
             title: title(&logins),
@@ -172,11 +179,13 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
         for (_, entry, person) in &all {
             placed.of.insert(entry.id.clone(), (*person).clone());
         }
-        let is_listed = |(_, entry, person): &&(Proof, &Entry, &Person)| {
-            best == Some(Proof::Name) || names.is_contested(entry, person)
-        };
-        let listed = all.iter().filter(is_listed);
-        placed.by_name.extend(listed.map(|it| it.1.id.clone()));
+        for (proof, entry, person) in &all {
+            match proof {
+                Proof::Hint | Proof::Name => placed.by_name.push(entry.id.clone()),
+                Proof::Id if !names.is_contested(entry, person) => {}
+                Proof::Given | Proof::Id => placed.contested.push(entry.id.clone()),
+            }
+        }
         if all.len() > 1 {
             placed.several.insert(ids[0].clone(), ids);
         }

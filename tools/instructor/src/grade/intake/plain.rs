@@ -4,7 +4,8 @@
 //! groups, and often addresses and display names, perhaps so that they look like somebody else's.
 //! So unless a name is exactly an id or an assigned login, everyone is found who stands in it. If
 //! these are several people, nobody knows whose it is. What most names of a class begin or end with
-//! is the title of the assignment, and says nothing about people.
+//! is the title of the assignment, and says nothing about people. Repositories on GitHub are found by
+//! [`Repositories`].
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -13,6 +14,7 @@ use unicode_normalization::UnicodeNormalization;
 
 use super::index::{Index, Kind, Match, words};
 use super::matching::{Proof, with_assigned};
+use super::repositories::Repositories;
 use super::roster::Person;
 
 /// What most names of a class begin with: the longest such text that ends between two words. Nobody
@@ -51,35 +53,40 @@ pub struct Convention<'a> {
     title: String,
     /// The [`ending`] of the names.
     ending: String,
-    /// Whether most names are a title and a login on GitHub.
-    is_on_github: bool,
+    /// How repositories on GitHub are named, if these are repositories.
+    github: Option<Repositories<'a>>,
 }
 
 impl<'a> Convention<'a> {
     /// Looks at the names of a class.
     pub fn of(names: &[&str], people: &'a [Person]) -> Convention<'a> {
-        let title = title(names);
-        let has_login = |name: &&&str| people.iter().any(|it| is_login(name, &title, it));
-        let logins = names.iter().filter(has_login).count();
+        let index = Index::of(people);
+        let ending = ending(names);
         Convention {
-            index: Index::of(people),
-            is_on_github: logins > 1 && 2 * logins > names.len(),
-            title,
-            ending: ending(names),
+            github: Repositories::of(names, &ending, &index),
+            index,
+            title: title(names),
+            ending,
         }
     }
 
-    /// Whether others have chosen a text that is this person's id or login, or the end of it after
-    /// the title. If the text names a folder, they may be meant.
+    /// Whether others have chosen a text that is this person's id or login. If the text names a
+    /// folder, they may be meant.
     pub fn is_contested(&self, name: &str, person: &Person) -> bool {
-        let mut others = self.index.people.iter().filter(|it| *it != person);
         self.index.whole(name).any(|(it, _)| it != person)
-            || others.any(|it| is_login(name, &self.title, it))
     }
 
     /// The people that a name may mean, each once, and how much it proves if it means only one.
     pub fn meant(&self, name: &str) -> (Proof, Vec<&'a Person>) {
         let assigned = with_assigned(name, self.index.people);
+        let github = self.github.as_ref();
+        let owner = github.and_then(|it| it.owner(name, &self.ending, &self.index));
+        if let Some((proof, owner)) = owner {
+            return match assigned.iter().all(|it| *it == owner) {
+                true => (proof, vec![owner]),
+                false => (Proof::Hint, [assigned, vec![owner]].concat()),
+            };
+        }
         if !assigned.is_empty() {
             // On some platforms, people type in their own address.
             let is_id = assigned.iter().any(|it| it.id.eq_ignore_ascii_case(name));
@@ -101,34 +108,20 @@ impl<'a> Convention<'a> {
         let own = all.iter().filter(|it| it.at.start < rest.end).cloned();
         let meant = without_accidents(own.collect(), name, &rest);
         let mut once: Vec<&Person> = Vec::new();
+        let is_repository = github.is_some_and(|it| it.has(name));
         for found in &meant {
-            if !once.contains(&found.person) {
+            let may_own = github.is_none_or(|it| it.may_own(found.person, name));
+            if may_own && !once.contains(&found.person) {
                 once.push(found.person);
             }
         }
+        let is_strong = |it| self.is_strong(it, name, &rest);
+        // A repository may belong to somebody whose login is not on the roster.
         let proof = match once[..] {
-            [person] if self.is_certain(name, person, &all) => Proof::Id,
-            [_] if meant.iter().any(|it| self.is_strong(it, name, &rest)) => Proof::Name,
+            [_] if !is_repository && meant.iter().any(is_strong) => Proof::Name,
             _ => Proof::Hint,
         };
         (proof, once)
-    }
-
-    /// Whether a name is certainly the title and a person's login on GitHub. A login such as
-    /// `ada-main` may be somebody else's and a branch or a number, which GitHub adds.
-    fn is_certain(&self, name: &str, person: &Person, all: &[Match]) -> bool {
-        let mut others = all.iter().filter(|it| it.person != person);
-        let is_known = |it: &Person| it.github.is_some();
-        let is_added = |end: &str| {
-            ["main", "master", "feedback"].contains(&end)
-                || end.bytes().all(|it| it.is_ascii_digit())
-        };
-        let end = name.rsplit_once('-').map_or("", |(_, end)| end);
-        self.is_on_github
-            && is_login(name, &self.title, person)
-            && (!name[self.title.len()..].contains('-')
-                || !is_added(end) && self.index.people.iter().all(is_known))
-            && others.all(|it| it.kind.is_name())
     }
 
     /// Whether a match is enough to give the submission to the only person who is meant. Among other
@@ -180,13 +173,6 @@ fn without_accidents<'a>(all: Vec<Match<'a>>, name: &str, rest: &Range<usize>) -
         _ => !is_only_whole || is_whole(it) || it.kind.is_name() || it.at.start < rest.start,
     };
     all.into_iter().filter(is_meant).collect()
-}
-
-/// Whether a name is a title and a person's login on GitHub.
-fn is_login(name: &str, title: &str, person: &Person) -> bool {
-    let login = name.strip_prefix(title).filter(|_| !title.is_empty());
-    let github = person.github.as_deref();
-    login.is_some_and(|it| github.is_some_and(|own| own.eq_ignore_ascii_case(it)))
 }
 
 /// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.

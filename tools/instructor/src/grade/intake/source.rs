@@ -37,7 +37,7 @@ impl Source<'_> {
             let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
             hand_in.at_most = match (self.is_archive, self.is_only) {
                 _ if !are_classes => Proof::Hint,
-                (true, true) if is_plain => Proof::Name,
+                (true, true) if is_plain => hand_in.at_most.min(Proof::Given),
                 (_, false) => Proof::Name,
                 _ => hand_in.at_most,
             };

@@ -49,7 +49,11 @@ fn for_canvas(row: &Row) -> Option<String> {
     if row.is_shared || row.entry.platform != Some(Platform::Canvas) {
         return None;
     }
-    let own = name.strip_suffix(given.rest)?;
+    // Display names can hold numbers, too.
+    let mut numbers = name.split('_').filter(|it| it.parse::<u64>().is_ok());
+    let is_read_so = numbers.next() == Some(given.number)
+        && numbers.next().and_then(|it| it.parse().ok()) == Some(given.upload);
+    let own = name.strip_suffix(given.rest).filter(|_| is_read_so)?;
     Some(format!("{own}report.html"))
 }
 
@@ -195,6 +199,9 @@ mod tests {
         assert_eq!(file(dated, None), None);
         let sent = file(dated, Some(&person));
         assert_eq!(sent.as_deref(), Some("lovelaceada_11_501_report.html"));
+        // Somebody's display name holds Ada's number and that of her file.
+        let chosen = "mann_11_x_501_y_13_503_hw.zip";
+        assert_eq!(file(chosen, Some(&person)), None);
     }
 
     #[test]

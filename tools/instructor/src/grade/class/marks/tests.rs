@@ -136,6 +136,11 @@ fn who_has_a_members_name_does_not_hand_in_for_a_group() {
     let (marks, listed) = finals_of(entries.clone());
     assert_eq!(marks, [own("ada", "one", 100.0), own("eve", "one", 100.0)]);
     assert_eq!(listed, Some(vec!["two".into()]));
+    // Somebody else may have chosen this id, which is listed elsewhere.
+    entries[1].at_most = Proof::Given;
+    let (marks, listed) = finals_of(entries.clone());
+    assert_eq!((marks.len(), listed), (2, None));
+    entries[1].at_most = Proof::Name;
     entries[0].at_most = Proof::Name;
     let (_, listed) = finals_of(entries);
     assert_eq!(listed, Some(vec!["one".into(), "two".into()]));

@@ -78,6 +78,20 @@ fn platform_names_and_plain_names_find_their_people() {
 }
 
 #[test]
+fn nobody_is_meant_because_an_address_is_like_the_name_that_a_platform_writes() {
+    let mut people = people();
+    people[1].logins = vec!["ada.lovelace@x.org".into(), "zed.zulu@x.org".into()];
+    for (name, expected) in [
+        ("Ada Lovelace_777_assignsubmission_file", "1"),
+        ("lovelaceada_1_2_a.zip", "1"),
+        ("11-5 - Ada Lovelace - Nov 20, 2026 1100 PM", "1"),
+        ("Zed Zulu_778_assignsubmission_file", "?"),
+    ] {
+        assert_eq!(whose(&[name], &people), expected, "{name}");
+    }
+}
+
+#[test]
 fn accents_find_their_people_however_they_are_written() {
     is("Zoe\u{308} Mu\u{308}ller_777_assignsubmission_file", "s3");
     is("mu\u{308}llerzoe\u{308}_1_2_a.zip", "s3");
@@ -217,7 +231,7 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
         ];
         let placed = place(&entries(&[name, others[0], others[1]]), Some(&people));
         assert_eq!(placed.of[name].id, "s1", "{placed:?}");
-        let is_listed = placed.by_name.iter().any(|it| it == name);
+        let is_listed = placed.contested.iter().any(|it| it == name);
         assert_eq!(is_listed, group == "Ada Lovelace", "{placed:?}");
     }
     // Another group's name may look like that of her group.
@@ -378,9 +392,11 @@ fn a_login_that_ends_like_the_title_makes_nobody_else_uncertain() {
         &entries(&names.each_ref().map(String::as_str)),
         Some(&people),
     );
-    assert_eq!(placed.of["ray-casting-grace"].id, people[1].id);
-    assert_eq!(placed.ambiguous["ray-casting-ada"].len(), 2, "{placed:?}");
-    assert_eq!(placed.by_name, ["ray-casting-casting-ada"]);
+    for (name, person) in names.iter().zip(&people) {
+        assert_eq!(placed.of[name].id, person.id, "{placed:?}");
+    }
+    let listed = [placed.by_name, placed.contested].concat();
+    assert!(listed.is_empty(), "{listed:?}");
 }
 
 #[test]
@@ -420,10 +436,8 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
     people[2].group = Some("S-1".into());
     people[3].group = Some("AL123".into());
     let placed = place(&entries(&["al123"]), Some(&people));
-    assert_eq!(
-        placed.ambiguous["al123"],
-        [people[0].clone(), people[3].clone()]
-    );
+    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+    assert_eq!(placed.contested, ["al123"]);
     people[3].group = None;
     for (name, member) in [("AL-123", 1), ("S-1", 2)] {
         let placed = place(&entries(&[name]), Some(&people));
@@ -433,29 +447,28 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
             "{placed:?}"
         );
     }
-    // Nobody contests an id, but it is listed.
+    // Nobody takes an id, but it is listed.
     let placed = place(&entries(&["s1"]), Some(&people));
     assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
-    assert_eq!(placed.by_name, ["s1"], "{placed:?}");
-    // So is a login that may be a title and somebody else's login.
+    assert_eq!(placed.contested, ["s1"], "{placed:?}");
+    // A login may look like a title and somebody else's login.
     people[0].logins = vec!["cs-al1".into()];
     people[1].github = Some("al1".into());
     people[2].github = Some("bob".into());
     let placed = place(&entries(&["cs-al1", "cs-bob"]), Some(&people));
     assert_eq!(placed.of["cs-al1"].id, "s1", "{placed:?}");
-    assert_eq!(placed.by_name, ["cs-al1"], "{placed:?}");
 }
 
 #[test]
-fn a_login_on_github_that_is_anothers_login_means_neither() {
+fn an_assigned_login_outweighs_the_same_login_on_github() {
     let mut people = people();
     people[0].logins = vec!["al123".into()];
     people[0].github = Some("countess".into());
     people[1].github = Some("AL123".into());
     let placed = place(&entries(&["countess", "al123"]), Some(&people));
-    assert_eq!(placed.of.len(), 1, "{placed:?}");
-    assert_eq!(placed.of["countess"].id, "s1");
-    assert_eq!(placed.ambiguous["al123"], people[..2]);
+    assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
+    assert_eq!(placed.contested, ["al123"]);
+    assert_eq!(placed.ambiguous["countess"], people[..1]);
     people[1].github = Some("al-123".into());
     let placed = place(&entries(&["al123", "al-123"]), Some(&people));
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
@@ -473,7 +486,7 @@ fn a_login_on_github_that_is_anothers_login_means_neither() {
         let placed = place(&entries(&["s1", "al123"]), Some(&people));
         assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
         assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
-        assert_eq!(placed.by_name, ["s1"], "{chosen}: {placed:?}");
+        assert_eq!(placed.contested, ["s1"], "{chosen}: {placed:?}");
     }
 }
 
@@ -500,11 +513,21 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
     // The beginning of an address may have been chosen.
     people[2].logins = vec!["zm@x.org".into()];
     let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people));
-    assert_eq!(placed.by_name, [zoe], "{placed:?}");
+    assert_eq!(placed.by_name, [&*zoe], "{placed:?}");
     // So may the whole address.
     let zoes = of("zm@x.org");
     let placed = place(&entries(&[&ada, &bob, &zoes]), Some(&people));
     assert_eq!(placed.by_name, [zoes], "{placed:?}");
+    // Nobody has somebody else's login by an address.
+    people[2].logins = vec!["zm@x.org".into(), "al@x.org".into()];
+    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people));
+    assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
+    // Many attempts of one person don't make a title.
+    let other = |hour: u32| format!("HW_1_y_al_attempt_2026-11-20-{hour}-00-00");
+    let others: Vec<String> = (10..20).map(other).collect();
+    let all = others.iter().chain([&ada, &bob]).map(String::as_str);
+    let placed = place(&entries(&all.collect::<Vec<_>>()), Some(&people));
+    assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
     // A login may end in another person's.
     people[3].logins = vec!["bob".into()];
     let placed = place(&entries(&[&bob]), Some(&people));
