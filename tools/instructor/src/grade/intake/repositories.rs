@@ -29,7 +29,8 @@ enum Owner {
 
 impl<'a> Repositories<'a> {
     /// Looks at the names of a class. People choose the ends of names, but nobody shortens the title,
-    /// so the shortest title counts that makes two names those of repositories.
+    /// so the shortest title counts that makes two names those of repositories. If more folders are named
+    /// after the owners only, you have named them.
     pub fn of(names: &[&str], ending: &str, index: &Index<'a>) -> Option<Repositories<'a>> {
         let owners = [Owner::Person, Owner::Team].map(|of| (of, owners(of, index.people)));
         let mut counts: BTreeMap<(&str, Owner), (usize, usize)> = BTreeMap::new();
@@ -50,15 +51,20 @@ impl<'a> Repositories<'a> {
                 }
             }
         }
-        let several = counts.into_iter().filter(|(_, (all, _))| *all > 1);
-        let ((title, of), (_, sure)) = several
-            .min_by_key(|((title, of), (all, sure))| (title.len(), Reverse((*sure, *all)), *of))?;
-        let mut owners = owners.into_iter().filter(|(it, _)| *it == of);
+        counts.retain(|_, (all, _)| *all > 1);
+        let shortest = |is_empty| {
+            let with = counts.iter();
+            let with = with.filter(move |((title, _), _)| title.is_empty() == is_empty);
+            with.min_by_key(|((title, of), (all, sure))| (title.len(), Reverse((*sure, *all)), *of))
+        };
+        let either = [shortest(false), shortest(true)].into_iter().flatten();
+        let ((title, of), (_, sure)) = either.max_by_key(|(_, (all, _))| *all)?;
+        let mut owners = owners.into_iter().filter(|(it, _)| it == of);
         Some(Repositories {
-            title: title.into(),
-            of,
+            title: (*title).into(),
+            of: *of,
             owners: owners.next()?.1,
-            is_sure: sure > 1,
+            is_sure: *sure > 1,
         })
     }
 

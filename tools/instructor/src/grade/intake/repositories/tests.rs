@@ -92,6 +92,16 @@ fn many_accounts_that_begin_alike_do_not_change_the_title() {
 }
 
 #[test]
+fn folders_may_be_named_after_logins_only() {
+    let people = people(["ada", "bobby", "x-ada", "x-bobby"]);
+    let all = ["ada", "bobby", "x-ada", "x-bobby"];
+    assert_eq!(whose(&all, &people), "1234");
+    // Beside repositories, two have handed in by e-mail.
+    let all = ["hw1-ada", "hw1-bobby", "hw1-x-ada", "ada", "x-bobby"];
+    assert_eq!(whose(&all, &people), "123[1][24]");
+}
+
+#[test]
 fn teams_differ_by_hyphens_and_outweigh_logins_in_a_class_of_teams() {
     let mut people = people(["", "", "", "first-team"]);
     for (person, team) in people
