@@ -73,23 +73,30 @@ pub fn with_login<'a>(text: &str, title: &str, people: &'a [Person]) -> (Proof, 
     let title = title.rfind('_').map_or(0, |at| at + 1);
     let starts = text.match_indices('_').map(|(at, _)| at + 1);
     let starts = starts.filter(|at| title == 0 || *at <= title);
-    let mut found: Vec<&Person> = Vec::new();
-    let mut proof = Proof::Id;
-    for at in starts {
-        let is = |own: &str| own.eq_ignore_ascii_case(&text[at..]);
-        let has_login = |it: &&Person| is(&it.id) || it.assigned_logins().any(|it| is(it));
-        let mut all: Vec<&Person> = people.iter().filter(has_login).collect();
-        if all.is_empty() {
-            all.extend(people.iter().filter(|it| it.addresses().any(is)));
-        }
-        for person in all {
-            if at != title || !has_login(&person) {
-                proof = Proof::Name;
+    let starts: Vec<usize> = starts.collect();
+    let find = |is_assigned: bool| {
+        let mut found: Vec<&Person> = Vec::new();
+        let mut proof = Proof::Id;
+        for at in &starts {
+            let is = |own: &str| own.eq_ignore_ascii_case(&text[*at..]);
+            let has = |it: &&Person| match is_assigned {
+                true => is(&it.id) || it.assigned_logins().any(|it| is(it)),
+                false => it.addresses().any(is),
+            };
+            for person in people.iter().filter(has) {
+                if *at != title || !is_assigned {
+                    proof = Proof::Name;
+                }
+                if !found.contains(&person) {
+                    found.push(person);
+                }
             }
-            if !found.contains(&person) {
-                found.push(person);
-            }
         }
+        (proof, found)
+    };
+    let (proof, found) = find(true);
+    match found.is_empty() {
+        true => find(false),
+        false => (proof, found),
     }
-    (proof, found)
 }

@@ -13,7 +13,7 @@ use std::ops::Range;
 use unicode_normalization::UnicodeNormalization;
 
 use super::index::{Index, Kind, Match, words};
-use super::matching::{Proof, with_assigned};
+use super::matching::{Proof, folded, with_assigned};
 use super::repositories::Repositories;
 use super::roster::Person;
 
@@ -80,13 +80,6 @@ impl<'a> Convention<'a> {
     pub fn meant(&self, name: &str) -> (Proof, Vec<&'a Person>) {
         let assigned = with_assigned(name, self.index.people);
         let github = self.github.as_ref();
-        let owner = github.and_then(|it| it.owner(name, &self.ending, &self.index));
-        if let Some((proof, owner)) = owner {
-            return match assigned.iter().all(|it| *it == owner) {
-                true => (proof, vec![owner]),
-                false => (Proof::Hint, [assigned, vec![owner]].concat()),
-            };
-        }
         if !assigned.is_empty() {
             // On some platforms, people type in their own address.
             let is_id = assigned.iter().any(|it| it.id.eq_ignore_ascii_case(name));
@@ -96,6 +89,9 @@ impl<'a> Convention<'a> {
             };
             return (proof, assigned);
         }
+        if let Some((proof, owner)) = github.and_then(|it| it.owner(name)) {
+            return (proof, vec![owner]);
+        }
         let start = name
             .strip_prefix(&*self.title)
             .map_or(0, |_| self.title.len());
@@ -104,11 +100,12 @@ impl<'a> Convention<'a> {
         // What lies within the title or the ending is nobody's.
         let all = self.index.find(name).into_iter();
         let all = all.filter(|it| it.kind != Kind::LoneName || it.covers(&rest, name));
+        let all = all.filter(|it| !is_anothers_login(it, name));
         let all: Vec<_> = all.filter(|it| it.at.end > rest.start).collect();
         let own = all.iter().filter(|it| it.at.start < rest.end).cloned();
         let meant = without_accidents(own.collect(), name, &rest);
         let mut once: Vec<&Person> = Vec::new();
-        let is_repository = github.is_some_and(|it| it.has(name));
+        let is_repository = github.is_some_and(|it| it.title(name).is_some());
         for found in &meant {
             let may_own = github.is_none_or(|it| it.may_own(found.person, name));
             if may_own && !once.contains(&found.person) {
@@ -173,6 +170,18 @@ fn without_accidents<'a>(all: Vec<Match<'a>>, name: &str, rest: &Range<usize>) -
         _ => !is_only_whole || is_whole(it) || it.kind.is_name() || it.at.start < rest.start,
     };
     all.into_iter().filter(is_meant).collect()
+}
+
+/// Whether a part of a name is like a person's login on GitHub, but has other hyphens, and so is somebody
+/// else's.
+fn is_anothers_login(it: &Match, name: &str) -> bool {
+    let own = &name[it.at.clone()];
+    let is_like = |chosen: &str| folded(chosen) == folded(own);
+    let is_other = |login: &String| is_like(login) && !login.eq_ignore_ascii_case(own);
+    let others = it.person.addresses().chain(it.person.group.as_deref());
+    it.kind == Kind::Chosen
+        && it.person.github.as_ref().is_some_and(is_other)
+        && !others.into_iter().any(is_like)
 }
 
 /// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.

@@ -1,114 +1,146 @@
 //! Whose repository on GitHub a folder is: its name is the title of the assignment, a hyphen, and the
-//! login of a person or the name of a team.
+//! login of a person or the name of a team. The name of a branch may follow.
 //!
 //! No two accounts have the same login, and a hyphen makes another one. So whoever has exactly this
-//! login is meant, whatever others call themselves.
+//! login is meant, whatever others call themselves. But people may have logins such as `hw1-ada`, or
+//! many accounts such as `zz-ada`, so that another title seems to stand before Ada's login. So the title
+//! counts that explains most names, unless a shorter one explains names that begin otherwise.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::index::{Index, Kind, words};
-use super::matching::{Proof, with_assigned, without_accents};
+use super::index::{Index, words};
+use super::matching::{Proof, folded, has_chosen_id, turned, without_accents};
 use super::roster::Person;
 
 /// How the repositories of a class are named.
 pub struct Repositories<'a> {
-    /// What stands before the owner's name; empty if folders are named after the owners only.
-    title: String,
-    of: Owner,
-    owners: HashMap<String, Vec<&'a Person>>,
-    /// Whether the owners' names are not also the ids or the names of these people.
-    is_sure: bool,
+    people: &'a [Person],
+    owners: Owners<'a>,
+    /// What names may consist of, and how many names each of these forms explains: the most first.
+    forms: Vec<(Form, usize)>,
 }
 
-#[derive(Clone, Copy, Debug, Eq, Ord, PartialEq, PartialOrd)]
+/// What a name may consist of. Folders that the instructor has named hold ids or names of people.
+#[derive(Clone, Debug, Eq, Ord, PartialEq, PartialOrd)]
+struct Form {
+    title: String,
+    of: Owner,
+    ending: String,
+}
+
+#[derive(Clone, Copy, Debug, Eq, Hash, Ord, PartialEq, PartialOrd)]
 enum Owner {
-    Person,
+    Login,
     Team,
+    Id,
+    Name,
+}
+
+const OWNERS: [Owner; 4] = [Owner::Login, Owner::Team, Owner::Id, Owner::Name];
+
+impl Form {
+    /// The part of a name that says whose it is.
+    fn own<'t>(&self, name: &'t str) -> Option<&'t str> {
+        let rest = name.strip_prefix(&*self.title)?;
+        rest.strip_suffix(&*self.ending)
+    }
+
+    fn is_of_github(&self) -> bool {
+        matches!(self.of, Owner::Login | Owner::Team)
+    }
 }
 
 impl<'a> Repositories<'a> {
-    /// Looks at the names of a class. People choose the ends of names, but nobody shortens the title,
-    /// so the shortest title counts that makes two names those of repositories. If more folders are named
-    /// after the owners only, you have named them.
+    /// Looks at the names of a class, and what most of them end with.
     pub fn of(names: &[&str], ending: &str, index: &Index<'a>) -> Option<Repositories<'a>> {
-        let owners = [Owner::Person, Owner::Team].map(|of| (of, owners(of, index.people)));
-        let mut counts: BTreeMap<(&str, Owner), (usize, usize)> = BTreeMap::new();
-        // Folders may be named after assigned logins.
-        let is_free = |name: &&&str| with_assigned(name, index.people).is_empty();
-        for name in names.iter().filter(is_free) {
-            let starts = words(name).into_iter().map(|it| it.start);
-            for start in starts.filter(|at| *at == 0 || name[..*at].ends_with('-')) {
-                let (title, rest) = name.split_at(start);
-                for (of, owners) in &owners {
-                    let Some((person, name)) = only(owners, rest, ending) else {
-                        continue;
-                    };
-                    let mut own = index.whole(name).filter(|(it, _)| *it == person);
-                    let (all, sure) = counts.entry((title, *of)).or_default();
-                    *all += 1;
-                    *sure += usize::from(own.all(|(_, kind)| kind == Kind::Chosen));
+        let owners = Owners::of(index.people);
+        let mut explained: BTreeMap<Form, BTreeSet<&str>> = BTreeMap::new();
+        for name in names {
+            for form in forms(name, ending) {
+                if form
+                    .own(name)
+                    .is_some_and(|own| owners.only(form.of, own).is_some())
+                {
+                    explained.entry(form).or_default().insert(name);
                 }
             }
         }
-        counts.retain(|_, (all, _)| *all > 1);
-        let shortest = |is_empty| {
-            let with = counts.iter();
-            let with = with.filter(move |((title, _), _)| title.is_empty() == is_empty);
-            with.min_by_key(|((title, of), (all, sure))| (title.len(), Reverse((*sure, *all)), *of))
+        let is_form = |form: &Form| {
+            let all = names.iter().filter(|name| name.starts_with(&form.title));
+            let others = all.filter(|name| !name.ends_with(&form.ending)).count();
+            // All names in the export begin with the assignment's title.
+            let mut shorter = explained.iter().filter(|(it, _)| {
+                it.is_of_github() && !it.title.is_empty() && form.title.starts_with(&it.title)
+            });
+            others < 2
+                && !shorter.any(|(_, names)| names.iter().any(|it| !it.starts_with(&form.title)))
         };
-        let either = [shortest(false), shortest(true)].into_iter().flatten();
-        let ((title, of), (_, sure)) = either.max_by_key(|(_, (all, _))| *all)?;
-        let mut owners = owners.into_iter().filter(|(it, _)| it == of);
-        Some(Repositories {
-            title: (*title).into(),
-            of: *of,
-            owners: owners.next()?.1,
-            is_sure: *sure > 1,
+        let all = explained.iter().filter(|(form, _)| is_form(form));
+        let mut forms: Vec<_> = all
+            .map(|(form, names)| (form.clone(), names.len()))
+            .collect();
+        forms.sort_by_key(|(form, count)| (Reverse((*count, form.title.len())), form.of));
+        let found = Repositories {
+            people: index.people,
+            owners,
+            forms,
+        };
+        let certain = names.iter().filter(|name| found.only(name).is_some());
+        (certain.count() > 1).then_some(found)
+    }
+
+    /// The form of a name, and how many other names have it. A folder may hold several exports.
+    fn form(&self, name: &str) -> Option<&(Form, usize)> {
+        self.forms.iter().find(|(form, count)| {
+            form.is_of_github() && *count > 1 && name.starts_with(&form.title)
         })
     }
 
-    /// Whether this is the name of a repository, perhaps of somebody whose login is not known.
-    pub fn has(&self, name: &str) -> bool {
-        !self.title.is_empty() && name.starts_with(&self.title)
+    /// The title, if this is the name of a repository, perhaps of somebody whose login is not known.
+    pub fn title(&self, name: &str) -> Option<&str> {
+        let title = self.form(name).map(|(form, _)| &*form.title);
+        title.filter(|title| !title.is_empty())
     }
 
     /// Whether somebody may own something with this name. A repository of theirs is named after their
     /// login, perhaps with something behind it.
     pub fn may_own(&self, person: &Person, name: &str) -> bool {
-        let login = person.github.as_ref().filter(|_| self.has(name));
-        login.is_none_or(|login| {
-            let (own, login) = (
-                name[self.title.len()..].to_lowercase(),
-                login.to_lowercase(),
-            );
-            let rest = own.strip_prefix(&login);
-            self.of == Owner::Team || rest.is_some_and(|it| it.is_empty() || it.starts_with('-'))
-        })
+        let (Some((form, _)), Some(login)) = (self.form(name), &person.github) else {
+            return true;
+        };
+        let own = name[form.title.len()..].to_lowercase();
+        let rest = own.strip_prefix(&login.to_lowercase());
+        let is_login = rest.is_some_and(|it| it.is_empty() || it.starts_with('-'));
+        form.title.is_empty() || form.of == Owner::Team || is_login
     }
 
-    /// The owner of a repository with this name, and how much that proves. A login such as `ada-main`
-    /// may also be somebody else's and a branch or a number, which GitHub adds.
-    pub fn owner(
-        &self,
-        name: &str,
-        ending: &str,
-        index: &Index<'a>,
-    ) -> Option<(Proof, &'a Person)> {
-        let rest = name.strip_prefix(&*self.title)?;
-        let (owner, own) = only(&self.owners, rest, ending)?;
-        let mut others = index.whole(own).filter(|(it, _)| *it != owner);
-        if !self.is_sure && others.any(|(_, kind)| kind != Kind::Chosen) {
-            return None;
-        }
+    /// The owner of a repository with this name, unless another form explains more than half as many
+    /// names, and means somebody else.
+    fn only(&self, name: &str) -> Option<&'a Person> {
+        let (form, count) = self.form(name)?;
+        let owner = self.owners.only(form.of, form.own(name)?)?;
+        let others = self.forms.iter().filter(|(_, other)| 2 * other > *count);
+        let mut others = others.filter_map(|(it, _)| self.owners.only(it.of, it.own(name)?));
+        others.all(|it| it == owner).then_some(owner)
+    }
+
+    /// The owner, and how much the name proves. A login such as `ada-draft` may also be somebody else's,
+    /// and a branch or a number that GitHub adds.
+    pub fn owner(&self, name: &str) -> Option<(Proof, &'a Person)> {
+        let owner = self.only(name)?;
+        let (form, _) = self.form(name)?;
+        let own = form.own(name)?.to_lowercase();
         let is_added = |end: &str| {
             ["main", "master", "feedback"].contains(&end)
                 || end.bytes().all(|it| it.is_ascii_digit())
         };
-        let added = own.rsplit_once('-').map(|(_, end)| end);
-        let may_be_longer = added
-            .is_some_and(|end| is_added(end) || index.people.iter().any(|it| it.github.is_none()));
-        let proof = match self.of == Owner::Person && !may_be_longer {
+        let may_be_branch = own.rsplit_once('-').is_some_and(|(_, end)| is_added(end))
+            || own.match_indices('-').any(|(at, _)| {
+                let is_known = self.people.iter().all(|it| it.github.is_some());
+                !is_known || self.owners.only(Owner::Login, &own[..at]).is_some()
+            });
+        let proof = match form.of == Owner::Login && !may_be_branch {
             true => Proof::Id,
             false => Proof::Given,
         };
@@ -116,48 +148,87 @@ impl<'a> Repositories<'a> {
     }
 }
 
-/// What the owners of repositories are called on GitHub, in lower case.
-fn owners(of: Owner, people: &[Person]) -> HashMap<String, Vec<&Person>> {
-    let mut owners: HashMap<String, Vec<&Person>> = HashMap::new();
-    for person in people {
-        let names = match of {
-            Owner::Person => person.github.iter().map(|it| it.to_lowercase()).collect(),
-            Owner::Team => person.group.as_deref().map_or(Vec::new(), in_addresses),
-        };
-        for name in names {
-            owners.entry(name).or_default().push(person);
+/// All forms that a name may have.
+fn forms<'n>(name: &'n str, ending: &'n str) -> impl Iterator<Item = Form> + 'n {
+    let starts = words(name).into_iter().map(|it| it.start);
+    let starts = starts.filter(|at| *at == 0 || name[..*at].ends_with('-'));
+    let endings = ["", ending]
+        .into_iter()
+        .take(1 + usize::from(!ending.is_empty()));
+    starts.flat_map(move |start| {
+        endings.clone().flat_map(move |ending| {
+            OWNERS.map(|of| Form {
+                title: name[..start].to_owned(),
+                of,
+                ending: ending.to_owned(),
+            })
+        })
+    })
+}
+
+/// People by what they are called in the names of folders.
+struct Owners<'a>(HashMap<(Owner, String), Vec<&'a Person>>);
+
+impl<'a> Owners<'a> {
+    fn of(people: &'a [Person]) -> Owners<'a> {
+        let mut owners = Owners(HashMap::new());
+        for person in people {
+            let own = person.github.iter().map(|it| it.to_lowercase());
+            owners.add(Owner::Login, person, own);
+            let own = person.group.iter().map(|it| in_address(it));
+            owners.add(Owner::Team, person, own);
+            let id = (!has_chosen_id(person)).then_some(&person.id);
+            let own = id.into_iter().chain(person.assigned_logins());
+            owners.add(Owner::Id, person, own.map(|it| it.to_lowercase()));
+            owners.add(
+                Owner::Name,
+                person,
+                turned(&person.name, folded).into_iter(),
+            );
+        }
+        // GitHub may drop the accents of a team's name, and not the letters.
+        for person in people {
+            let own = person
+                .group
+                .iter()
+                .map(|it| in_address(&without_accents(it)));
+            let free: Vec<_> = own
+                .filter(|it| !owners.0.contains_key(&(Owner::Team, it.clone())))
+                .collect();
+            owners.add(Owner::Team, person, free.into_iter());
+        }
+        owners
+    }
+
+    fn add(&mut self, of: Owner, person: &'a Person, own: impl Iterator<Item = String>) {
+        for own in own {
+            let all = self.0.entry((of, own)).or_default();
+            if !all.contains(&person) {
+                all.push(person);
+            }
         }
     }
-    owners
+
+    /// The only person who is called so.
+    fn only(&self, of: Owner, own: &str) -> Option<&'a Person> {
+        let own = match of {
+            Owner::Name => folded(own),
+            Owner::Team => own.to_lowercase().replace('_', "-"),
+            _ => own.to_lowercase(),
+        };
+        match self.0.get(&(of, own))?[..] {
+            [only] => Some(only),
+            _ => None,
+        }
+    }
 }
 
-/// How GitHub may write a team's name in addresses: without letters that aren't ASCII, or without
-/// their accents.
-fn in_addresses(team: &str) -> Vec<String> {
-    let plain = |text: &str| {
-        let text = text.to_lowercase();
-        let words = text.split(|c: char| !c.is_ascii_alphanumeric());
-        let words: Vec<&str> = words.filter(|it| !it.is_empty()).collect();
-        words.join("-")
-    };
-    let mut all = vec![plain(team), plain(&without_accents(team))];
-    all.dedup();
-    all
-}
-
-/// The only owner with this name, perhaps before what most names end with, and the name.
-fn only<'a, 't>(
-    owners: &HashMap<String, Vec<&'a Person>>,
-    text: &'t str,
-    ending: &str,
-) -> Option<(&'a Person, &'t str)> {
-    let mut texts = [Some(text), text.strip_suffix(ending)]
-        .into_iter()
-        .flatten();
-    texts.find_map(|text| match owners.get(&text.to_lowercase())?[..] {
-        [only] => Some((only, text)),
-        _ => None,
-    })
+/// How GitHub writes a team's name in addresses: without letters that aren't ASCII.
+fn in_address(team: &str) -> String {
+    let team = team.to_lowercase();
+    let words = team.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|it| !it.is_empty()).collect();
+    words.join("-")
 }
 
 #[cfg(test)]

@@ -18,6 +18,18 @@ fn people(logins: [&str; 4]) -> Vec<Person> {
     all.into_iter().zip(logins).map(person).collect()
 }
 
+/// Adds two people to a roster, and returns their logins.
+fn others(people: &mut Vec<Person>) -> [&'static str; 3] {
+    let all = ["hal", "ida", "joe"];
+    for (id, login) in ["1006", "1007", "1008"].into_iter().zip(all) {
+        people.push(Person {
+            github: Some(login.into()),
+            ..person(id, &format!("{login} Somebody"))
+        });
+    }
+    all
+}
+
 #[test]
 fn a_hyphen_makes_another_login() {
     let clones = ["hw1-ada", "hw1-bobby", "hw1-eve"];
@@ -28,6 +40,7 @@ fn a_hyphen_makes_another_login() {
     // The first login is not on the roster.
     let other = people(["", "bobby", "eve", "a-da"]);
     assert_eq!(whose(&clones, &other), "?23");
+    assert_eq!(whose(&clones[..1], &other), "?");
     let all = people(["ada-love", "bobby", "eve", "adalove"]);
     let clones = ["hw1-ada-love", "hw1-bobby", "hw1-eve", "hw1-adalove"];
     assert_eq!(whose(&clones, &all), "1234");
@@ -92,13 +105,118 @@ fn many_accounts_that_begin_alike_do_not_change_the_title() {
 }
 
 #[test]
+fn a_folder_may_hold_the_repositories_of_two_sections() {
+    let people = people(["ada", "bobby", "eve", "mal"]);
+    let all = [
+        "cs-a-hw1-ada",
+        "cs-a-hw1-bobby",
+        "cs-b-hw1-eve",
+        "cs-b-hw1-mal",
+    ];
+    assert_eq!(whose(&all, &people), "1234");
+    // The instructor has added a folder.
+    let all = ["hw1-lab-ada", "hw1-lab-bobby", "hw1-1003"];
+    let placed = place(&entries(&all), Some(&people));
+    assert_eq!(placed.of.len(), 3);
+    assert_eq!(placed.by_name, all[2..]);
+}
+
+#[test]
 fn folders_may_be_named_after_logins_only() {
     let people = people(["ada", "bobby", "x-ada", "x-bobby"]);
     let all = ["ada", "bobby", "x-ada", "x-bobby"];
     assert_eq!(whose(&all, &people), "1234");
-    // Beside repositories, two have handed in by e-mail.
+    // Beside repositories, the instructor has added folders.
     let all = ["hw1-ada", "hw1-bobby", "hw1-x-ada", "ada", "x-bobby"];
-    assert_eq!(whose(&all, &people), "123[1][24]");
+    assert_eq!(whose(&all, &people), "12314");
+}
+
+#[test]
+fn nobody_has_a_login_that_is_the_end_of_the_title_and_anothers_login() {
+    for (title, logins) in [
+        ("hw1", ["hw1-ada", "hw1-bobby"]),
+        ("homework-1", ["1-ada", "1-bobby"]),
+    ] {
+        let mut people = people(["ada", "bobby", "eve", logins[0]]);
+        people.push(Person {
+            github: Some(logins[1].into()),
+            ..person("1005", "Mia Mann")
+        });
+        let logins = ["ada", "bobby", "eve"]
+            .into_iter()
+            .chain(others(&mut people));
+        let mut all: Vec<String> = logins.map(|login| format!("{title}-{login}")).collect();
+        let found = |all: &[String]| {
+            let all: Vec<&str> = all.iter().map(String::as_str).collect();
+            whose(&all, &people)
+        };
+        assert_eq!(found(&all), "123678");
+        // In a small class, it is uncertain.
+        assert_eq!(found(&all[..2]), "[14][25]");
+        // The instructor has added a folder.
+        all.push("eve".into());
+        let found = found(&all);
+        assert!(found.starts_with("123678"), "{found}");
+    }
+}
+
+#[test]
+fn nobody_has_a_login_that_is_anothers_login_and_a_branch() {
+    let people = people(["ada", "bobby", "eve", "ada-submission"]);
+    let branches = ["ada", "bobby", "eve"].map(|login| format!("hw1-{login}-submission"));
+    let branches = branches.each_ref().map(String::as_str);
+    assert_eq!(whose(&branches, &people), "123");
+    // If only one is of a branch, nobody knows, so it is listed.
+    let one = ["hw1-bobby", "hw1-eve", "hw1-ada-submission"];
+    let placed = place(&entries(&one), Some(&people));
+    assert_eq!(placed.contested, one[2..]);
+    // Somebody may have many accounts whose names end alike.
+    let many = ["ada", "bobby", "ada-x", "bobby-x", "eve-x", "y-x"];
+    let many = many.map(|login| format!("hw1-{login}"));
+    let many = many.each_ref().map(String::as_str);
+    assert_eq!(whose(&many, &people), "12[1][2][3]?");
+}
+
+#[test]
+fn nobody_has_the_work_of_a_team_or_of_an_id_by_a_login() {
+    let mut all = people(["17", "204", "1001", ""]);
+    for (person, team) in all[2..].iter_mut().zip(["17", "204"]) {
+        person.group = Some(team.into());
+    }
+    let teams = whose(&["hw1-17", "hw1-204"], &all);
+    assert_eq!(teams, "[13][24]");
+    // The instructor has named the folders.
+    for folders in [
+        ["hw1-1001", "hw1-1002", "hw1-1004"],
+        ["hw1-ada-lovelace", "hw1-bob-babbage", "hw1-mallory-mann"],
+    ] {
+        let mut people = people(["", "", &folders[0][4..], &folders[1][4..]]);
+        people[2].name = "E. E.".into();
+        let found = whose(&folders, &people);
+        assert!(found.contains('1') && !found.starts_with('3'), "{found}");
+    }
+    let mut people = people(["ada", "bobby", "eve", "mal"]);
+    for (person, team) in people[2..].iter_mut().zip(["hw1 ada", "hw1 bobby"]) {
+        person.group = Some(team.into());
+    }
+    let logins = ["ada", "bobby", "eve"]
+        .into_iter()
+        .chain(others(&mut people));
+    let all: Vec<String> = logins.map(|login| format!("hw1-{login}")).collect();
+    let all: Vec<&str> = all.iter().map(String::as_str).collect();
+    assert_eq!(whose(&all, &people), "123678");
+}
+
+#[test]
+fn ids_may_be_logins_on_github() {
+    let mut people = people(["ada", "bobby", "eve", "mal"]);
+    for person in &mut people {
+        person.id = person.github.clone().expect("it has one").to_uppercase();
+    }
+    people[3].name = "Ada".into();
+    let of = |names: &[&str]| place(&entries(names), Some(&people)).of;
+    let of = of(&["hw1-ada", "hw1-bobby", "hw1-eve"]);
+    assert_eq!(of["hw1-ada"].id, "ADA");
 }
 
 #[test]
