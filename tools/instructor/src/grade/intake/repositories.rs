@@ -17,8 +17,9 @@ use super::roster::Person;
 pub struct Repositories<'a> {
     people: &'a [Person],
     owners: Owners<'a>,
-    /// What names may consist of, and how many names each of these forms explains: the most first.
-    forms: Vec<(Form, usize)>,
+    /// What names may consist of: first the form that explains most names. For each, these are other
+    /// forms that explain more than half of the same names.
+    forms: Vec<(Form, Vec<Form>)>,
 }
 
 /// What a name may consist of. Folders that the instructor has named hold ids or names of people.
@@ -77,10 +78,18 @@ impl<'a> Repositories<'a> {
                 && !shorter.any(|(_, names)| names.iter().any(|it| !it.starts_with(&form.title)))
         };
         let all = explained.iter().filter(|(form, _)| is_form(form));
-        let mut forms: Vec<_> = all
-            .map(|(form, names)| (form.clone(), names.len()))
-            .collect();
-        forms.sort_by_key(|(form, count)| (Reverse((*count, form.title.len())), form.of));
+        let mut all: Vec<_> = all.collect();
+        all.sort_by_key(|(form, names)| (Reverse((names.len(), form.title.len())), form.of));
+        let likely = |(form, names): (&Form, &BTreeSet<&str>)| {
+            let others = all.iter().filter(|(it, theirs)| {
+                *it != form && 2 * names.intersection(theirs).count() > names.len()
+            });
+            let others: Vec<Form> = others.map(|(it, _)| (*it).clone()).collect();
+            (form.clone(), others)
+        };
+        let several = all.iter().copied();
+        let several = several.filter(|(form, names)| form.is_of_github() && names.len() > 1);
+        let forms = several.map(likely).collect();
         let found = Repositories {
             people: index.people,
             owners,
@@ -90,11 +99,10 @@ impl<'a> Repositories<'a> {
         (certain.count() > 1).then_some(found)
     }
 
-    /// The form of a name, and how many other names have it. A folder may hold several exports.
-    fn form(&self, name: &str) -> Option<&(Form, usize)> {
-        self.forms.iter().find(|(form, count)| {
-            form.is_of_github() && *count > 1 && name.starts_with(&form.title)
-        })
+    /// The form of a name, and others that it may have. A folder may hold several exports.
+    fn form(&self, name: &str) -> Option<&(Form, Vec<Form>)> {
+        let mut forms = self.forms.iter();
+        forms.find(|(form, _)| name.starts_with(&form.title))
     }
 
     /// The title, if this is the name of a repository, perhaps of somebody whose login is not known.
@@ -115,13 +123,12 @@ impl<'a> Repositories<'a> {
         form.title.is_empty() || form.of == Owner::Team || is_login
     }
 
-    /// The owner of a repository with this name, unless another form explains more than half as many
-    /// names, and means somebody else.
+    /// The owner of a repository with this name, unless it may have another form, and mean somebody else.
     fn only(&self, name: &str) -> Option<&'a Person> {
-        let (form, count) = self.form(name)?;
+        let (form, others) = self.form(name)?;
         let owner = self.owners.only(form.of, form.own(name)?)?;
-        let others = self.forms.iter().filter(|(_, other)| 2 * other > *count);
-        let mut others = others.filter_map(|(it, _)| self.owners.only(it.of, it.own(name)?));
+        let others = others.iter();
+        let mut others = others.filter_map(|it| self.owners.only(it.of, it.own(name)?));
         others.all(|it| it == owner).then_some(owner)
     }
 

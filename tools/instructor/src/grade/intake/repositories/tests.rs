@@ -1,3 +1,6 @@
+use rand_xoshiro::SplitMix64;
+use rand_xoshiro::rand_core::{Rng, SeedableRng};
+
 use super::super::placement::place;
 use super::super::placement::tests::{entries, person};
 use super::super::plain::tests::whose;
@@ -247,4 +250,76 @@ fn folders_that_are_named_after_assigned_logins_are_not_repositories() {
     people[2].github = Some("ee1".into());
     let titled = ["hw1-al1", "hw1-bb1", "hw1-ee1"];
     assert_eq!(whose(&titled, &people), "[14]23");
+}
+
+/// A text of one to three parts that occur in names.
+fn word(below: &mut dyn FnMut(usize) -> usize) -> String {
+    const PARTS: [&str; 18] = [
+        "hw", "1", "hw-1", "hw-1-ada", "ada", "bobby", "eve", "lee", "eve-lee", "dan", "hal",
+        "ida", "main", "x", "2001", "2002", "2009", "surname",
+    ];
+    let count = 1 + below(3);
+    let parts: Vec<&str> = (0..count).map(|_| PARTS[below(PARTS.len())]).collect();
+    parts.join("-")
+}
+
+#[test]
+fn nobodys_repository_is_lost_or_given_away_whatever_a_few_others_choose() {
+    const HONEST: [&str; 8] = [
+        "ada", "bobby", "eve-lee", "dan", "fay", "gil9", "hal", "ida",
+    ];
+    for seed in 0..300 {
+        let mut random = SplitMix64::seed_from_u64(seed);
+        let mut below = |most: usize| random.next_u64() as usize % most;
+        let mut people: Vec<Person> = Vec::new();
+        for (k, login) in HONEST.iter().enumerate() {
+            people.push(Person {
+                github: Some((*login).into()),
+                ..person(&format!("200{k}"), &format!("{login} Surname"))
+            });
+        }
+        // The last one has handed in nothing.
+        let mut names: Vec<String> = HONEST[..7].iter().map(|it| format!("hw-1-{it}")).collect();
+        for k in 0..3 {
+            let login = word(&mut below);
+            let is_free = |it: &Person| it.github.as_deref() != Some(&login);
+            let mut mallory = person(&format!("300{k}"), &word(&mut below).replace('-', " "));
+            mallory.github = Some(login.clone()).filter(|_| people.iter().all(is_free));
+            mallory.group = Some(word(&mut below)).filter(|_| below(2) == 0);
+            if mallory.github.is_some() && below(2) == 0 {
+                names.push(format!("hw-1-{login}"));
+            }
+            people.push(mallory);
+        }
+        for _ in 0..below(12) {
+            // An account of somebody who is not on the roster
+            let login = word(&mut below);
+            let is_free = |it: &Person| it.github.as_deref() != Some(&login);
+            if people.iter().all(is_free) {
+                names.push(format!("hw-1-{login}"));
+            }
+        }
+        names.sort();
+        names.dedup();
+        let placed = place(
+            &entries(&names.iter().map(String::as_str).collect::<Vec<_>>()),
+            Some(&people),
+        );
+        for (k, login) in HONEST[..7].iter().enumerate() {
+            let own = placed.of.get(&format!("hw-1-{login}")).map(|it| &*it.id);
+            let id = format!("200{k}");
+            assert_eq!(
+                own,
+                Some(&*id),
+                "{seed} {login} {names:#?} {people:#?} {placed:#?}"
+            );
+            let several = placed.of.values().filter(|it| it.id == id).count();
+            assert_eq!(
+                several, 1,
+                "{seed} {login} {names:#?} {people:#?} {placed:#?}"
+            );
+        }
+        let idas = placed.of.values().find(|it| it.id == "2007");
+        assert_eq!(idas, None, "{seed} {names:#?} {people:#?} {placed:#?}");
+    }
 }
