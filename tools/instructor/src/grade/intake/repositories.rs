@@ -1,8 +1,8 @@
 //! Whose repository on GitHub a folder is: its name is the title of the assignment, a hyphen, and the
 //! login of a person or the name of a team. The name of a branch may follow.
 //!
-//! No two accounts have the same login, and a hyphen makes another one. So whoever has exactly this
-//! login is meant, whatever others call themselves. But people may have logins such as `hw1-ada`, or
+//! No two accounts have the same login, and logins that differ by a hyphen are different. So a repository
+//! belongs to the person with exactly this login, whatever others call themselves. But people may have logins such as `hw1-ada`, or
 //! many accounts such as `zz-ada`, so that another title seems to stand before Ada's login. So the title
 //! counts that explains most names, unless a shorter one explains names that begin otherwise.
 
