@@ -9,6 +9,7 @@ use pinhole_course::sandbox::Choice;
 use pinhole_course::seed::Seed;
 
 use crate::golden::arguments::Golden;
+use crate::grade::intake::pattern::NamePattern;
 use crate::grade::redact::Reveal;
 use crate::grade::views::formats::Format;
 use crate::validate::Part;
@@ -113,6 +114,11 @@ pub struct Grade {
     /// Canvas or Moodle
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
+    /// How folders and archives are named if their names are not just ids, for instance `hw1-{github}`
+    /// for clones from GitHub. `{id}` stands for an id or a university login, `{github}` for a login
+    /// on GitHub, and `{group}` for a group's name (repeatable)
+    #[arg(long, value_name = "PATTERN", requires = "roster")]
+    pub named: Vec<NamePattern>,
     /// A policy.toml, which sets deadlines, late days and extra credit, and changes individual
     /// marks
     #[arg(long, value_name = "TOML")]

@@ -214,6 +214,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     let mut roll = Roll {
         entries: intake.entries,
         people,
+        named: arguments.named.clone(),
         placed: Placement {
             superseded: intake.superseded,
             ..Placement::default()

@@ -4,8 +4,8 @@
 //! class; [`hand_in`] collects each person's files, by the [`names`] that platforms give;
 //! [`answers`] finds each person's answers, by [`task_names`]; [`roster`] reads the list of a
 //! course's people, which is a [`table`]; [`index`] finds people in a text, by rules of [`matching`];
-//! [`account`] finds a platform's people, [`repositories`] the owners of repositories on GitHub, and
-//! [`plain`] people by other names; and [`placement`] decides whose each submission is.
+//! [`account`] finds a platform's people, and [`plain`] people by other names, by the [`pattern`] that
+//! the instructor has given; and [`placement`] decides whose each submission is.
 
 pub mod account;
 pub mod answers;
@@ -13,10 +13,10 @@ pub mod hand_in;
 pub mod index;
 pub mod matching;
 pub mod names;
+pub mod pattern;
 pub mod placement;
 pub mod plain;
 pub mod reader;
-pub mod repositories;
 pub mod roster;
 pub mod source;
 pub mod table;

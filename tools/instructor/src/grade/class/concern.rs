@@ -47,7 +47,12 @@ impl Roll {
                 true,
                 entries(&|it| &it.doubts),
             ),
-            ("whose owner is uncertain", true, ambiguous.collect()),
+            (
+                "whose owner is uncertain: put each into a folder named after the person's id, or say \
+                 how all of them are named (such as --named 'hw1-{github}')",
+                true,
+                ambiguous.collect(),
+            ),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
                 "matched by a name or an address that people can choose themselves: check them, or \

@@ -6,6 +6,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::grade::intake::pattern::NamePattern;
 use crate::grade::intake::placement::{self, Placement};
 use crate::grade::intake::roster::Person;
 use crate::grade::intake::{self, Entry};
@@ -20,6 +21,9 @@ pub struct Roll {
     pub entries: Vec<Entry>,
     /// The roster, if there is one.
     pub people: Option<Vec<Person>>,
+    /// How folders and archives are named, if not after ids.
+    #[serde(default)]
+    pub named: Vec<NamePattern>,
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
@@ -99,6 +103,9 @@ impl Roll {
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
         class.people = self.people.or(class.people);
+        if !self.named.is_empty() {
+            class.named = self.named;
+        }
         class.ignored.extend(self.ignored);
         class.ignored.sort();
         class.ignored.dedup();
@@ -150,7 +157,7 @@ impl Roll {
             know_groups(policy, people);
         }
         let superseded = std::mem::take(&mut self.placed.superseded);
-        self.placed = placement::place(&self.entries, self.people.as_deref());
+        self.placed = placement::place(&self.entries, self.people.as_deref(), &self.named);
         self.placed.superseded = superseded;
         let mut missing = std::mem::take(&mut self.placed.missing);
         let handed_in = self.handed_in();

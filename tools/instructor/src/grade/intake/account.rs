@@ -1,7 +1,11 @@
 //! Whose submission it is, by what a platform wrote into its name.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::index::{Index, Kind, words};
 use super::matching::{Proof, folded, unaccented};
+use super::pattern::NamePattern;
+use super::plain::once;
 use super::roster::Person;
 
 /// The people that an account may belong to. The platform's number decides, because people may
@@ -67,36 +71,47 @@ fn share_word(name: &str, other: &str) -> bool {
     folded(name).iter().any(|word| others.contains(word))
 }
 
+/// What most of these names begin with: the longest such text that ends between two words. Nobody can
+/// change what most names have in common.
+pub fn title(names: &BTreeSet<&str>) -> String {
+    let mut count: BTreeMap<&str, usize> = BTreeMap::new();
+    for name in names {
+        for word in words(name).into_iter().skip(1) {
+            *count.entry(&name[..word.start]).or_default() += 1;
+        }
+    }
+    let most = count.into_iter();
+    let most = most.filter(|(_, count)| *count > 1 && 2 * count > names.len());
+    let longest = most.map(|(part, _)| part).max_by_key(|it| it.len());
+    longest.unwrap_or_default().to_owned()
+}
+
 /// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
-/// login may contain `_`, so it proves something only after the `title` of most submissions.
-pub fn with_login<'a>(text: &str, title: &str, people: &'a [Person]) -> (Proof, Vec<&'a Person>) {
+/// login may contain `_`, so it proves something only after the `title` of most submissions. People may
+/// have typed in their addresses, so these suggest somebody at most.
+pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
     let title = title.rfind('_').map_or(0, |at| at + 1);
     let starts = text.match_indices('_').map(|(at, _)| at + 1);
     let starts = starts.filter(|at| title == 0 || *at <= title);
     let starts: Vec<usize> = starts.collect();
-    let find = |is_assigned: bool| {
-        let mut found: Vec<&Person> = Vec::new();
-        let mut proof = Proof::Id;
-        for at in &starts {
-            let is = |own: &str| own.eq_ignore_ascii_case(&text[*at..]);
-            let has = |it: &&Person| match is_assigned {
-                true => is(&it.id) || it.assigned_logins().any(|it| is(it)),
-                false => it.addresses().any(is),
-            };
-            for person in people.iter().filter(has) {
-                if *at != title || !is_assigned {
-                    proof = Proof::Name;
-                }
-                if !found.contains(&person) {
-                    found.push(person);
-                }
-            }
+    let mut all_agree = Proof::Id;
+    let mut found: Vec<&Person> = Vec::new();
+    for at in &starts {
+        let (proof, people) = NamePattern::id().owners(&text[*at..], index);
+        if !people.is_empty() {
+            let most = if *at == title { Proof::Id } else { Proof::Name };
+            all_agree = all_agree.min(proof).min(most);
         }
-        (proof, found)
-    };
-    let (proof, found) = find(true);
-    match found.is_empty() {
-        true => find(false),
-        false => (proof, found),
+        found.extend(people);
     }
+    if found.is_empty() {
+        let is_end = |own: &str| {
+            starts
+                .iter()
+                .any(|at| own.eq_ignore_ascii_case(&text[*at..]))
+        };
+        let has = |it: &&Person| it.addresses().any(is_end);
+        return (Proof::Hint, index.people.iter().filter(has).collect());
+    }
+    (all_agree, once(found))
 }

@@ -19,7 +19,7 @@ pub enum Kind {
     /// A display name of several words.
     Name,
     /// A name of one word, one that has lost letters, or a group's number. It counts only if it stands
-    /// alone or, in a class, beside the title.
+    /// alone.
     LoneName,
 }
 
@@ -39,14 +39,10 @@ impl Kind {
 }
 
 impl Match<'_> {
-    /// Whether no letter or digit of a part of a text is outside of this match.
-    pub fn covers(&self, part: &Range<usize>, text: &str) -> bool {
-        let before = &text[part.start..self.at.start.clamp(part.start, part.end)];
-        let after = &text[self.at.end.clamp(part.start, part.end)..part.end];
-        !before
-            .chars()
-            .chain(after.chars())
-            .any(char::is_alphanumeric)
+    /// Whether no letter or digit of this text is outside of the match.
+    pub fn is_all_of(&self, text: &str) -> bool {
+        let outside = [&text[..self.at.start], &text[self.at.end..]];
+        !outside.concat().contains(char::is_alphanumeric)
     }
 }
 

@@ -8,10 +8,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::account::{with_account, with_login};
+use super::account::{title, with_account, with_login};
+use super::index::Index;
 use super::matching::Proof;
 use super::names::Sign;
-use super::plain::{Convention, title};
+use super::pattern::NamePattern;
+use super::plain;
 use super::roster::Person;
 
 /// Which submission belongs to which person, and which could not be placed.
@@ -56,50 +58,46 @@ impl Placement {
     }
 }
 
-/// What the names of a class have in common, and its roster.
+/// How the submissions of a class are named, and its roster.
 struct Names<'a> {
-    convention: Convention<'a>,
+    index: Index<'a>,
+    patterns: &'a [NamePattern],
     /// What most of Blackboard's names begin with.
     title: String,
 }
 
 impl<'a> Names<'a> {
-    fn of(entries: &[Entry], people: &'a [Person]) -> Names<'a> {
-        let [mut plain, mut logins] = [Vec::new(), Vec::new()];
-        for entry in entries {
-            match &entry.signs[..] {
-                [Sign::Plain(name)] => plain.push(name.as_str()),
-                [Sign::Login(text)] => logins.push(text.as_str()),
-                _ => {}
-            }
-        }
+    fn of(entries: &[Entry], people: &'a [Person], patterns: &'a [NamePattern]) -> Names<'a> {
+        let logins = entries.iter().filter_map(|entry| match &entry.signs[..] {
+            [Sign::Login(text)] => Some(text.as_str()),
+            _ => None,
+        });
         // Somebody may have handed in many attempts.
-        logins.sort();
-        logins.dedup();
+        let logins: BTreeSet<&str> = logins.collect();
         Names {
-            convention: Convention::of(&plain, people),
+            index: Index::of(people),
+            patterns,
             title: title(&logins),
         }
     }
 
     fn is_contested(&self, entry: &Entry, person: &Person) -> bool {
         match &entry.signs[..] {
-            [Sign::Plain(name)] => self.convention.is_contested(name, person),
+            [Sign::Plain(name)] => plain::is_contested(name, person, self.patterns, &self.index),
             _ => false,
         }
     }
 
     /// The people that a sign may mean, and how much it proves if it means only one.
     fn meant(&self, sign: &Sign) -> (Proof, Vec<&'a Person>) {
-        let index = &self.convention.index;
         match sign {
-            Sign::Login(text) => with_login(text, &self.title, index.people),
+            Sign::Login(text) => with_login(text, &self.title, &self.index),
             Sign::Account {
                 number,
                 name,
                 may_be_group,
-            } => with_account(number, name, *may_be_group, index),
-            Sign::Plain(name) => self.convention.meant(name),
+            } => with_account(number, name, *may_be_group, &self.index),
+            Sign::Plain(name) => plain::meant(name, self.patterns, &self.index),
         }
     }
 }
@@ -107,12 +105,7 @@ impl<'a> Names<'a> {
 /// The people that an entry may belong to, each once, and how well that is proved.
 fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
     let all: Vec<_> = entry.signs.iter().map(|sign| names.meant(sign)).collect();
-    let mut found: Vec<&Person> = Vec::new();
-    for person in all.iter().flat_map(|(_, found)| found) {
-        if !found.contains(person) {
-            found.push(person);
-        }
-    }
+    let found = plain::once(all.iter().flat_map(|(_, found)| found.iter().copied()));
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
     // The name that the uploader gave a file can look like what the platform adds, as in
     // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first. But what Moodle adds,
@@ -128,14 +121,15 @@ fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
     (proof.min(entry.at_most), found)
 }
 
-/// Finds the person of each submission. Without a roster, it finds nobody.
-pub fn place(entries: &[Entry], people: Option<&[Person]>) -> Placement {
+/// Finds the person of each submission. Without a roster, it finds nobody. `patterns` say how folders
+/// and archives are named, if not after ids.
+pub fn place(entries: &[Entry], people: Option<&[Person]>, patterns: &[NamePattern]) -> Placement {
     let mut placed = Placement {
         people: people.map(<[Person]>::len),
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let names = Names::of(entries, people);
+    let names = Names::of(entries, people, patterns);
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
     let given = entries.iter().filter(is_given).count();

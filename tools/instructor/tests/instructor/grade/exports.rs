@@ -76,6 +76,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let paths = ["submissions.zip", "moodle", "github", "mail"].map(|name| class.path(name));
     let (roster, out) = (class.path("roster.csv"), class.path("out"));
     let mut line = vec!["grade", "--roster", &roster, "--no-fresh"];
+    line.extend(["--named", "hw1-{github}", "--named", "{name}"]);
     line.extend(paths.iter().map(String::as_str));
     on_small_assignment(&[&line[..], &["--dry-run"]].concat())
         .expect_code(1)
@@ -141,7 +142,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     for line in [&single[..], &[&line[..], &["--out", &out]].concat()] {
         on_small_assignment(line)
             .expect_code(2)
-            .expect_err("graded with another policy");
+            .expect_err("graded with another --policy");
     }
     #[cfg(unix)]
     {

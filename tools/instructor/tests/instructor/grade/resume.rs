@@ -406,7 +406,8 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
     let policy = put("policy.toml", "groups = 'groups.csv'\n");
     let (few, one, out) = (class.path("few"), class.path("cleo"), class.path("out"));
     let line = ["grade", "--no-fresh", "--roster", &roster, "--out"];
-    on_small_assignment(&[&line[..], &[&out, &few, "--policy", &policy]].concat())
+    let by_name = ["--named", "{group}", "--named", "{name}"];
+    on_small_assignment(&[&line[..], &[&out, &few, "--policy", &policy], &by_name].concat())
         .expect_code(1)
         .expect_out("0 handed in nothing");
     on_small_assignment(&[&line[..], &[&out, &one]].concat())
@@ -419,13 +420,15 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
         let run = on_small_assignment(&[&line[..], more].concat());
         run.expect_code(2).expect_err(why);
     };
-    refused(&["--roster", &fewer], "graded with another roster");
+    refused(&["--roster", &fewer], "graded with another --roster");
+    let other = ["--roster", &roster, "--named", "{id}_hw1"];
+    refused(&other, "graded with another --named");
     refused(
         &["--policy", &policy, "--shard", "1/1"],
         "now missing: Cleo",
     );
     let (bare, merged) = (class.path("bare"), class.path("merged"));
-    on_small_assignment(&[&line[..], &[&bare, &few]].concat())
+    on_small_assignment(&[&line[..], &[&bare, &few], &by_name].concat())
         .expect_code(1)
         .expect_out("2 handed in nothing");
     on_small_assignment(&["merge", &bare, "--policy", &policy, "--out", &merged])
@@ -433,7 +436,7 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
         .expect_out("0 handed in nothing");
     on_small_assignment(&["merge", &bare, "--out", &merged])
         .expect_code(2)
-        .expect_err("graded with another policy");
+        .expect_err("graded with another --policy");
 }
 
 #[test]

@@ -1,0 +1,234 @@
+//! How the instructor says that folders and archives are named, such as `hw1-{github}`.
+
+use std::fmt::{self, Display, Formatter};
+use std::str::FromStr;
+
+use serde::{Deserialize, Serialize};
+
+use super::index::Index;
+use super::matching::{Proof, with_assigned, without_accents};
+use super::roster::Person;
+
+/// A text around what names a person.
+#[derive(Clone, Debug, Deserialize, Eq, PartialEq, Serialize)]
+#[serde(try_from = "String", into = "String")]
+pub struct NamePattern {
+    before: String,
+    key: Key,
+    after: String,
+}
+
+/// What names a person.
+#[derive(Clone, Copy, Debug, Eq, PartialEq)]
+pub enum Key {
+    /// An id, or a login that the university assigned.
+    Id,
+    /// A login on GitHub. No two accounts have the same one, and logins that differ by a hyphen are
+    /// different.
+    GitHub,
+    /// A group's name, perhaps as GitHub writes it in addresses.
+    Group,
+    /// A person's name, with the last name first or last.
+    Name,
+}
+
+const KEYS: [(&str, Key); 4] = [
+    ("{id}", Key::Id),
+    ("{github}", Key::GitHub),
+    ("{group}", Key::Group),
+    ("{name}", Key::Name),
+];
+
+impl NamePattern {
+    /// Names that are nothing but an id or a login of the university.
+    pub fn id() -> NamePattern {
+        NamePattern {
+            before: String::new(),
+            key: Key::Id,
+            after: String::new(),
+        }
+    }
+
+    pub fn key(&self) -> Key {
+        self.key
+    }
+
+    /// The part of a name that says whose it is, if the name has this pattern.
+    pub fn own<'t>(&self, name: &'t str) -> Option<&'t str> {
+        let rest = name.strip_prefix(&*self.before)?;
+        rest.strip_suffix(&*self.after)
+    }
+
+    /// The people whom this part of a name stands for, and how much it proves if it is only one.
+    pub fn owners<'a>(&self, own: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
+        let all = index.people.iter();
+        match self.key {
+            Key::Id => {
+                let is_id = |it: &&Person| it.id.eq_ignore_ascii_case(own);
+                let found = with_assigned(own, index.people);
+                // On some platforms, people type in their own address.
+                let is_given = !own.contains('@') || found.iter().any(is_id);
+                match found.is_empty() {
+                    false if is_given => (Proof::Id, found),
+                    false => (Proof::Name, found),
+                    // A login on GitHub may stand in for an id.
+                    true => (Proof::Name, all.filter(is_id).collect()),
+                }
+            }
+            Key::GitHub => {
+                let is = |it: &String| it.eq_ignore_ascii_case(own);
+                let found = all.filter(|it| it.github.as_ref().is_some_and(is));
+                (Proof::Id, found.collect())
+            }
+            // People choose the names of their groups, and several may be written alike.
+            Key::Group => {
+                let found = all.filter(|it| it.group.as_ref().is_some_and(|it| is_group(it, own)));
+                (Proof::Given, found.collect())
+            }
+            Key::Name => {
+                let found = index.whole(own).filter(|(_, kind)| kind.is_name());
+                (Proof::Name, found.map(|(person, _)| person).collect())
+            }
+        }
+    }
+}
+
+/// Whether this is a group's name, perhaps as GitHub writes it in addresses.
+fn is_group(group: &str, own: &str) -> bool {
+    let own = own.to_lowercase();
+    let ways = [in_address(group), in_address(&without_accents(group))];
+    !own.is_empty() && (group.to_lowercase() == own || ways.contains(&own))
+}
+
+/// A name without the letters that aren't ASCII, and with hyphens between its words.
+fn in_address(name: &str) -> String {
+    let name = name.to_lowercase();
+    let words = name.split(|c: char| !c.is_ascii_alphanumeric());
+    let words: Vec<&str> = words.filter(|it| !it.is_empty()).collect();
+    words.join("-")
+}
+
+impl FromStr for NamePattern {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<NamePattern, String> {
+        let found =
+            KEYS.map(|(word, key)| text.match_indices(word).map(move |(at, _)| (at, word, key)));
+        let mut found = found.into_iter().flatten();
+        let (Some((at, word, key)), None) = (found.next(), found.next()) else {
+            let all = KEYS.map(|(word, _)| word).join(" or ");
+            return Err(format!(
+                "it must contain {all} exactly once, as in hw1-{{github}}"
+            ));
+        };
+        Ok(NamePattern {
+            before: text[..at].to_owned(),
+            key,
+            after: text[at + word.len()..].to_owned(),
+        })
+    }
+}
+
+impl Display for NamePattern {
+    fn fmt(&self, formatter: &mut Formatter) -> fmt::Result {
+        let mut words = KEYS.iter();
+        let word = words
+            .find(|(_, key)| *key == self.key)
+            .map(|(word, _)| word);
+        let word = word.expect("each key has a word");
+        write!(formatter, "{}{word}{}", self.before, self.after)
+    }
+}
+
+impl TryFrom<String> for NamePattern {
+    type Error = String;
+
+    fn try_from(text: String) -> Result<NamePattern, String> {
+        text.parse()
+    }
+}
+
+impl From<NamePattern> for String {
+    fn from(pattern: NamePattern) -> String {
+        pattern.to_string()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::placement::tests::person;
+    use super::*;
+
+    #[test]
+    fn a_pattern_names_one_key() {
+        for text in [
+            "{id}",
+            "hw1-{github}",
+            "{id}_hw1",
+            "hw1-{group}-main",
+            "{name}",
+            "{{id}}",
+        ] {
+            let pattern: NamePattern = text.parse().expect(text);
+            assert_eq!(pattern.to_string(), text);
+        }
+        for text in ["", "hw1-", "{login}", "{id}{id}", "{id}-{github}", "{ID}"] {
+            let why = text.parse::<NamePattern>().expect_err(text);
+            assert!(
+                why.contains("{id} or {github} or {group} or {name}"),
+                "{why}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_name_must_have_exactly_the_pattern_and_the_key() {
+        let people = ["ada", "a-da", "hw1-ada", "ada-main"].map(|login| Person {
+            github: Some(login.into()),
+            ..person(&format!("id of {login}"), "Eve")
+        });
+        let owners = |pattern: &str, name: &str| -> Vec<String> {
+            let pattern: NamePattern = pattern.parse().expect("it is a pattern");
+            let own = pattern.own(name).unwrap_or_default();
+            let (_, found) = pattern.owners(own, &Index::of(&people));
+            found.iter().filter_map(|it| it.github.clone()).collect()
+        };
+        for (pattern, name, owner) in [
+            ("hw1-{github}", "hw1-ada", &["ada"][..]),
+            ("hw1-{github}", "hw1-ADA", &["ada"]),
+            ("hw1-{github}", "hw1-a-da", &["a-da"]),
+            ("hw1-{github}", "hw1-hw1-ada", &["hw1-ada"]),
+            ("hw1-{github}", "hw1-ada-main", &["ada-main"]),
+            ("hw1-{github}-main", "hw1-ada-main", &["ada"]),
+            ("{github}", "hw1-ada", &["hw1-ada"]),
+            ("hw1-{github}", "hw2-ada", &[]),
+            ("hw1-{github}", "hw1-ad", &[]),
+            ("hw1-{github}", "hw1-", &[]),
+            ("hw1-{id}", "hw1-ada", &[]),
+            ("hw1-{group}", "hw1-ada", &[]),
+        ] {
+            assert_eq!(owners(pattern, name), owner, "{pattern} {name}");
+        }
+    }
+
+    #[test]
+    fn groups_are_found_however_github_writes_them() {
+        let groups = ["Röckets", "First Team", "7"];
+        let people = groups.map(|group| Person {
+            group: Some(group.into()),
+            ..person(group, "Eve")
+        });
+        let pattern: NamePattern = "hw1-{group}".parse().expect("it is a pattern");
+        for (own, group) in [
+            ("r-ckets", "Röckets"),
+            ("rockets", "Röckets"),
+            ("first-team", "First Team"),
+            ("First Team", "First Team"),
+            ("7", "7"),
+        ] {
+            let (proof, found) = pattern.owners(own, &Index::of(&people));
+            assert_eq!(found.len(), 1, "{own}");
+            assert_eq!((proof, &*found[0].id), (Proof::Given, group));
+        }
+    }
+}
