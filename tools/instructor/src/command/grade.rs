@@ -210,11 +210,17 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
     if let (Some(policy), Some(people)) = (&policy, &mut people) {
         roll::know_groups(policy, people);
     }
-    let intake = intake::find(&arguments.paths, assignment, people.as_deref())?;
+    let named = arguments.named.clone();
+    let intake = intake::find(
+        &arguments.paths,
+        assignment,
+        people.as_deref(),
+        named.as_ref(),
+    )?;
     let mut roll = Roll {
         entries: intake.entries,
         people,
-        named: arguments.named.clone(),
+        named,
         placed: Placement {
             superseded: intake.superseded,
             ..Placement::default()

@@ -32,6 +32,7 @@ use self::hand_in::HandIn;
 use self::index::Index;
 use self::matching::Proof;
 use self::names::{Platform, PlatformName, Sign};
+use self::pattern::NamePattern;
 use self::reader::file_names;
 use self::roster::Person;
 use self::source::Source;
@@ -122,18 +123,25 @@ pub struct Intake {
     pub passed: Vec<String>,
 }
 
-/// Finds the submissions in some paths. Each path is a submission, or a folder of submissions.
+/// Finds the submissions in some paths. Each path is a submission, or a folder of submissions. `named`
+/// says how folders and archives are named.
 pub fn find(
     paths: &[PathBuf],
     assignment: &Assignment,
     people: Option<&[Person]>,
+    named: Option<&NamePattern>,
 ) -> Result<Intake> {
     let index = people.map(Index::of);
+    let named = named.cloned().unwrap_or_default();
     let is_on_roster = |name: &str, or_chosen: bool| {
         let index = index.as_ref();
         index.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
     };
-    let is_id = |name: &str| people.is_some_and(|it| matching::is_id(name, it));
+    let is_id = |name: &str| people.is_some_and(|it| !matching::with_assigned(name, it).is_empty());
+    let has_owner = |name: &str| {
+        let index = index.as_ref();
+        index.is_some_and(|it| plain::has_owner(name, &named, it))
+    };
     let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();
     let is_answer =
         |name: &str| is_wanted(name) || names::platforms(name).iter().any(|it| is_wanted(it.rest));
@@ -165,6 +173,7 @@ pub fn find(
             found: found.files,
             is_on_roster: &is_on_roster,
             is_id: &is_id,
+            has_owner: &has_owner,
         };
         source.unwrap();
         sources.push(source);

@@ -49,7 +49,7 @@ impl Roll {
             ),
             (
                 "whose owner is uncertain: put each into a folder named after the person's id, or say \
-                 how all of them are named (such as --named 'hw1-{github}')",
+                 how all of them are named (such as `--named 'hw1-{github}'`)",
                 true,
                 ambiguous.collect(),
             ),
@@ -62,7 +62,7 @@ impl Roll {
                 self.names(&placed.by_name),
             ),
             (
-                "matched by an id or a login, but somebody else may have chosen the same: check them",
+                "matched by an id, a login or a group's name, but somebody else may be meant: check them",
                 false,
                 self.names(&placed.contested),
             ),

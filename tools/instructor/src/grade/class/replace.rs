@@ -106,11 +106,11 @@ pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<
     let what = match () {
         () if is_part && new.is_some() && new != old => "policy",
         () if is_part && roll.people.is_some() && people(roll) != people(class) => "roster",
-        () if is_part && !roll.named.is_empty() && roll.named != class.named => "named",
+        () if is_part && roll.named.is_some() && roll.named != class.named => "named",
         () if !is_single && new.is_none() && old.is_some() => "policy",
         // Perhaps somebody's upload looks like the whole class.
         () if !is_single && roll.people.is_none() && class.people.is_some() => "roster",
-        () if !is_single && roll.named.is_empty() && !class.named.is_empty() => "named",
+        () if !is_single && roll.named.is_none() && class.named.is_some() => "named",
         () => return Ok(()),
     };
     Err(Error::input(

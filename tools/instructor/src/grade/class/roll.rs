@@ -21,9 +21,9 @@ pub struct Roll {
     pub entries: Vec<Entry>,
     /// The roster, if there is one.
     pub people: Option<Vec<Person>>,
-    /// How folders and archives are named, if not after ids.
+    /// How folders and archives are named, if the user has said so.
     #[serde(default)]
-    pub named: Vec<NamePattern>,
+    pub named: Option<NamePattern>,
     pub placed: Placement,
     /// Files that are not submissions.
     pub ignored: Vec<String>,
@@ -103,9 +103,7 @@ impl Roll {
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
         class.people = self.people.or(class.people);
-        if !self.named.is_empty() {
-            class.named = self.named;
-        }
+        class.named = self.named.or(class.named);
         class.ignored.extend(self.ignored);
         class.ignored.sort();
         class.ignored.dedup();
@@ -157,7 +155,8 @@ impl Roll {
             know_groups(policy, people);
         }
         let superseded = std::mem::take(&mut self.placed.superseded);
-        self.placed = placement::place(&self.entries, self.people.as_deref(), &self.named);
+        let named = self.named.clone().unwrap_or_default();
+        self.placed = placement::place(&self.entries, self.people.as_deref(), &named);
         self.placed.superseded = superseded;
         let mut missing = std::mem::take(&mut self.placed.missing);
         let handed_in = self.handed_in();

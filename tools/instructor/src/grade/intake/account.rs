@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::index::{Index, Kind, words};
 use super::matching::{Proof, folded, unaccented};
-use super::pattern::NamePattern;
+use super::pattern::Key;
 use super::plain::once;
 use super::roster::Person;
 
@@ -97,7 +97,7 @@ pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec
     let mut all_agree = Proof::Id;
     let mut found: Vec<&Person> = Vec::new();
     for at in &starts {
-        let (proof, people) = NamePattern::id().owners(&text[*at..], index);
+        let (proof, people) = Key::Id.owners(&text[*at..], index);
         if !people.is_empty() {
             let most = if *at == title { Proof::Id } else { Proof::Name };
             all_agree = all_agree.min(proof).min(most);

@@ -18,9 +18,10 @@ pub enum Kind {
     Chosen,
     /// A display name of several words.
     Name,
-    /// A name of one word, one that has lost letters, or a group's number. It counts only if it stands
-    /// alone.
+    /// A name of one word, or one that has lost letters. It counts only if it stands alone.
     LoneName,
+    /// A group's number. It counts only if it stands alone.
+    LoneGroup,
 }
 
 /// A part of a text that stands for a person.
@@ -35,6 +36,11 @@ pub struct Match<'a> {
 impl Kind {
     pub fn is_name(self) -> bool {
         matches!(self, Kind::Name | Kind::LoneName)
+    }
+
+    /// Whether it counts only if it stands alone.
+    pub fn is_lone(self) -> bool {
+        matches!(self, Kind::LoneName | Kind::LoneGroup)
     }
 }
 
@@ -71,7 +77,7 @@ impl<'a> Index<'a> {
                 let is_number = own.bytes().all(|it| it.is_ascii_digit());
                 let is_group = person.group.as_deref() == Some(own);
                 let kind = match is_number && is_group {
-                    true => Kind::LoneName,
+                    true => Kind::LoneGroup,
                     false => Kind::Chosen,
                 };
                 // GitHub drops the letters of a team's name that aren't ASCII.

@@ -84,13 +84,8 @@ pub fn with_assigned<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
     let has_id = |person: &Person| !has_chosen_id(person) && is(&person.id);
     let found = people.iter();
     found
-        .filter(|it| has_id(it) || it.logins.iter().any(is))
+        .filter(|it| has_id(it) || it.assigned_logins().any(is))
         .collect()
-}
-
-/// Whether this is the id or the login that the university gave to somebody.
-pub fn is_id(name: &str, people: &[Person]) -> bool {
-    !with_assigned(name, people).is_empty()
 }
 
 /// Whether somebody else has this login or id, too. People choose their logins on GitHub.

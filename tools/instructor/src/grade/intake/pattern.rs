@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::index::Index;
 use super::matching::{Proof, with_assigned, without_accents};
+use super::plain::once;
+use super::reader::file_names;
 use super::roster::Person;
 
 /// A text around what names a person.
@@ -39,16 +41,17 @@ const KEYS: [(&str, Key); 4] = [
     ("{name}", Key::Name),
 ];
 
-impl NamePattern {
-    /// Names that are nothing but an id or a login of the university.
-    pub fn id() -> NamePattern {
+impl Default for NamePattern {
+    fn default() -> NamePattern {
         NamePattern {
             before: String::new(),
             key: Key::Id,
             after: String::new(),
         }
     }
+}
 
+impl NamePattern {
     pub fn key(&self) -> Key {
         self.key
     }
@@ -58,27 +61,40 @@ impl NamePattern {
         let rest = name.strip_prefix(&*self.before)?;
         rest.strip_suffix(&*self.after)
     }
+}
 
-    /// The people whom this part of a name stands for, and how much it proves if it is only one.
-    pub fn owners<'a>(&self, own: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
+impl Key {
+    /// The people whom a part of a name stands for, and how much it proves if it is only one.
+    pub fn owners<'a>(self, own: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
         let all = index.people.iter();
-        match self.key {
+        match self {
             Key::Id => {
-                let is_id = |it: &&Person| it.id.eq_ignore_ascii_case(own);
-                let found = with_assigned(own, index.people);
-                // On some platforms, people type in their own address.
-                let is_given = !own.contains('@') || found.iter().any(is_id);
-                match found.is_empty() {
-                    false if is_given => (Proof::Id, found),
-                    false => (Proof::Name, found),
-                    // A login on GitHub may stand in for an id.
-                    true => (Proof::Name, all.filter(is_id).collect()),
+                let is = |it: &String| it.eq_ignore_ascii_case(own);
+                let assigned = with_assigned(own, index.people);
+                // A login on GitHub may stand in for an id, and people may have typed in an address.
+                let chosen: Vec<_> = all.clone().filter(|it| is(&it.id)).collect();
+                match (assigned.is_empty(), chosen.is_empty()) {
+                    (false, _) => (Proof::Id, assigned),
+                    (_, false) => (Proof::Name, chosen),
+                    _ => (
+                        Proof::Name,
+                        all.filter(|it| it.logins.iter().any(is)).collect(),
+                    ),
                 }
             }
             Key::GitHub => {
-                let is = |it: &String| it.eq_ignore_ascii_case(own);
-                let found = all.filter(|it| it.github.as_ref().is_some_and(is));
-                (Proof::Id, found.collect())
+                let own = own.to_lowercase();
+                let login = |it: &Person| it.github.as_ref().map(|it| it.to_lowercase());
+                let found: Vec<_> = all
+                    .clone()
+                    .filter(|it| login(it).as_ref() == Some(&own))
+                    .collect();
+                // It may also be another's, and something that the instructor or GitHub has added.
+                let mut others = all.filter_map(login);
+                let is_near = others.any(|it| {
+                    own.starts_with(&format!("{it}-")) || own.ends_with(&format!("-{it}"))
+                });
+                (if is_near { Proof::Given } else { Proof::Id }, found)
             }
             // People choose the names of their groups, and several may be written alike.
             Key::Group => {
@@ -87,7 +103,7 @@ impl NamePattern {
             }
             Key::Name => {
                 let found = index.whole(own).filter(|(_, kind)| kind.is_name());
-                (Proof::Name, found.map(|(person, _)| person).collect())
+                (Proof::Name, once(found.map(|(person, _)| person)))
             }
         }
     }
@@ -112,6 +128,9 @@ impl FromStr for NamePattern {
     type Err = String;
 
     fn from_str(text: &str) -> Result<NamePattern, String> {
+        if file_names::is_archive(text) {
+            return Err("leave out the ending of archives".into());
+        }
         let found =
             KEYS.map(|(word, key)| text.match_indices(word).map(move |(at, _)| (at, word, key)));
         let mut found = found.into_iter().flatten();
@@ -190,7 +209,7 @@ mod tests {
         let owners = |pattern: &str, name: &str| -> Vec<String> {
             let pattern: NamePattern = pattern.parse().expect("it is a pattern");
             let own = pattern.own(name).unwrap_or_default();
-            let (_, found) = pattern.owners(own, &Index::of(&people));
+            let (_, found) = pattern.key.owners(own, &Index::of(&people));
             found.iter().filter_map(|it| it.github.clone()).collect()
         };
         for (pattern, name, owner) in [
@@ -218,7 +237,6 @@ mod tests {
             group: Some(group.into()),
             ..person(group, "Eve")
         });
-        let pattern: NamePattern = "hw1-{group}".parse().expect("it is a pattern");
         for (own, group) in [
             ("r-ckets", "Röckets"),
             ("rockets", "Röckets"),
@@ -226,7 +244,7 @@ mod tests {
             ("First Team", "First Team"),
             ("7", "7"),
         ] {
-            let (proof, found) = pattern.owners(own, &Index::of(&people));
+            let (proof, found) = Key::Group.owners(own, &Index::of(&people));
             assert_eq!(found.len(), 1, "{own}");
             assert_eq!((proof, &*found[0].id), (Proof::Given, group));
         }

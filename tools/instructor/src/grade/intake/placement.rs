@@ -61,13 +61,13 @@ impl Placement {
 /// How the submissions of a class are named, and its roster.
 struct Names<'a> {
     index: Index<'a>,
-    patterns: &'a [NamePattern],
+    named: &'a NamePattern,
     /// What most of Blackboard's names begin with.
     title: String,
 }
 
 impl<'a> Names<'a> {
-    fn of(entries: &[Entry], people: &'a [Person], patterns: &'a [NamePattern]) -> Names<'a> {
+    fn of(entries: &[Entry], people: &'a [Person], named: &'a NamePattern) -> Names<'a> {
         let logins = entries.iter().filter_map(|entry| match &entry.signs[..] {
             [Sign::Login(text)] => Some(text.as_str()),
             _ => None,
@@ -76,14 +76,14 @@ impl<'a> Names<'a> {
         let logins: BTreeSet<&str> = logins.collect();
         Names {
             index: Index::of(people),
-            patterns,
+            named,
             title: title(&logins),
         }
     }
 
     fn is_contested(&self, entry: &Entry, person: &Person) -> bool {
         match &entry.signs[..] {
-            [Sign::Plain(name)] => plain::is_contested(name, person, self.patterns, &self.index),
+            [Sign::Plain(name)] => plain::is_contested(name, person, self.named, &self.index),
             _ => false,
         }
     }
@@ -97,7 +97,7 @@ impl<'a> Names<'a> {
                 name,
                 may_be_group,
             } => with_account(number, name, *may_be_group, &self.index),
-            Sign::Plain(name) => plain::meant(name, self.patterns, &self.index),
+            Sign::Plain(name) => plain::meant(name, self.named, &self.index),
         }
     }
 }
@@ -121,15 +121,15 @@ fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
     (proof.min(entry.at_most), found)
 }
 
-/// Finds the person of each submission. Without a roster, it finds nobody. `patterns` say how folders
-/// and archives are named, if not after ids.
-pub fn place(entries: &[Entry], people: Option<&[Person]>, patterns: &[NamePattern]) -> Placement {
+/// Finds the person of each submission. Without a roster, it finds nobody. `named` says how folders and
+/// archives are named.
+pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) -> Placement {
     let mut placed = Placement {
         people: people.map(<[Person]>::len),
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let names = Names::of(entries, people, patterns);
+    let names = Names::of(entries, people, named);
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
     let given = entries.iter().filter(is_given).count();

@@ -2,57 +2,48 @@
 //!
 //! The university assigns ids and logins. People choose their logins on GitHub, the names of their
 //! groups, and often addresses and display names, perhaps so that they look like somebody else's.
-//! So only a whole name, or the part of it that the instructor has shown by a [`NamePattern`], says
-//! whose a submission is. People who merely stand in a name are suggested to the instructor.
+//! So only an id, or the part of a name that the instructor has shown by a [`NamePattern`], says whose
+//! a submission is. People who merely stand in a name are suggested to the instructor.
 
 use super::index::{Index, Kind, Match};
-use super::matching::{Proof, with_assigned};
+use super::matching::Proof;
 use super::pattern::{Key, NamePattern};
 use super::roster::Person;
 
 /// The people that a name may mean, each once, and how much it proves if it means only one.
-pub fn meant<'a>(
-    name: &str,
-    patterns: &[NamePattern],
-    index: &Index<'a>,
-) -> (Proof, Vec<&'a Person>) {
-    let all = parts(name, patterns).map(|(part, of)| of.owners(part, index));
-    let mut all: Vec<_> = all.filter(|(_, found)| !found.is_empty()).collect();
-    let Some(best) = all.iter().map(|(proof, _)| *proof).max() else {
-        return (Proof::Hint, suggested(name, patterns, index));
-    };
-    // Somebody may have chosen the name of a person that is another's id.
-    all.retain(|(proof, _)| *proof > Proof::Name || best <= Proof::Name);
-    (best, once(all.into_iter().flat_map(|(_, found)| found)))
+pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
+    let (own, key) = part(name, named);
+    match key.owners(own, index) {
+        (_, found) if found.is_empty() => (Proof::Hint, suggested(own, index)),
+        owners => owners,
+    }
 }
 
-/// The people who stand in a name.
-fn suggested<'a>(name: &str, patterns: &[NamePattern], index: &Index<'a>) -> Vec<&'a Person> {
-    let near = |part| {
-        let all = index.find(part).into_iter();
-        all.filter(move |it| it.kind != Kind::LoneName || it.is_all_of(part))
-    };
-    let all = parts(name, patterns).flat_map(|(part, _)| near(part));
+/// The people who stand in a part of a name.
+fn suggested<'a>(own: &str, index: &Index<'a>) -> Vec<&'a Person> {
+    let all = index.find(own).into_iter();
+    let all = all.filter(|it| !it.kind.is_lone() || it.is_all_of(own));
     once(all.map(|it| it.person))
 }
 
 /// Whether others have chosen a text that is this person's id or login. If the text names a folder,
 /// they may be meant.
-pub fn is_contested(name: &str, person: &Person, patterns: &[NamePattern], index: &Index) -> bool {
-    let ids = parts(name, patterns).filter(|(_, of)| of.key() == Key::Id);
-    let mut others = ids.flat_map(|(part, _)| index.whole(part));
-    others.any(|(it, _)| it != person)
+pub fn is_contested(name: &str, person: &Person, named: &NamePattern, index: &Index) -> bool {
+    let (own, key) = part(name, named);
+    key == Key::Id && index.whole(own).any(|(it, _)| it != person)
 }
 
-/// The parts of a name that may say whose it is: all of it, and those of the patterns that it has.
-fn parts<'n>(
-    name: &'n str,
-    patterns: &[NamePattern],
-) -> impl Iterator<Item = (&'n str, NamePattern)> {
-    let whole = NamePattern::id();
-    let others = patterns.iter().filter(move |it| **it != NamePattern::id());
-    let all = std::iter::once(whole).chain(others.cloned());
-    all.filter_map(move |it| Some((it.own(name)?, it)))
+/// Whether a name says whose a submission is.
+pub fn has_owner(name: &str, named: &NamePattern, index: &Index) -> bool {
+    let (own, key) = part(name, named);
+    !key.owners(own, index).1.is_empty()
+}
+
+/// The part of a name that says whose it is, and how. If a name doesn't have the pattern, the
+/// instructor may have named a folder after an id.
+fn part<'n>(name: &'n str, named: &NamePattern) -> (&'n str, Key) {
+    let own = named.own(name).map(|own| (own, named.key()));
+    own.unwrap_or((name, Key::Id))
 }
 
 /// The same people, each once.
@@ -72,9 +63,9 @@ pub fn is_somebody(name: &str, index: &Index, or_chosen: bool) -> bool {
     let is = |it: Match| match it.kind {
         Kind::Assigned | Kind::Name => true,
         Kind::Chosen => or_chosen,
-        Kind::LoneName => it.is_all_of(name),
+        Kind::LoneName | Kind::LoneGroup => it.is_all_of(name),
     };
-    all.any(is) || !with_assigned(name, index.people).is_empty()
+    all.any(is) || !Key::Id.owners(name, index).1.is_empty()
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@ pub struct Source<'a> {
     pub is_on_roster: &'a dyn Fn(&str, bool) -> bool,
     /// Whether somebody on the roster has this id or login.
     pub is_id: &'a dyn Fn(&str) -> bool,
+    /// Whether this name says whose a submission is: see [`has_owner`](super::plain::has_owner).
+    pub has_owner: &'a dyn Fn(&str) -> bool,
 }
 
 /// The folders at the top of the course's repository. They are not submissions.
@@ -29,25 +31,30 @@ const REPOSITORY: [&str; 6] = ["assignments", "book", "golden", "handout", "src"
 
 impl Source<'_> {
     /// Divides the files of a class among its people. Also returns the names of files that
-    /// belong to nobody. Beside other paths, this may be one person's upload, with names of other
-    /// people inside, above all if not all of them are classes (`are_classes`).
+    /// belong to nobody. It may be one person's upload, with names of other people inside, if it has
+    /// that person's name, or beside other paths, above all if not all of them are classes
+    /// (`are_classes`).
     pub fn of_class(self, are_classes: bool) -> (Vec<HandIn>, Vec<String>) {
+        let has_owner = (self.has_owner)(file_names::stem(&self.name));
+        let doubt = match (has_owner, are_classes) {
+            (true, _) => Some("its own name is a person's; if it is a class, rename it"),
+            (_, false) => {
+                Some("was passed together with single submissions; if it is a class, pass it alone")
+            }
+            _ => None,
+        };
         let (mut all, ignored) = hand_in::of_class(tops(self.found));
         for hand_in in &mut all {
             let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
             hand_in.at_most = match (self.is_archive, self.is_only) {
-                _ if !are_classes => Proof::Hint,
+                _ if doubt.is_some() => Proof::Hint,
                 (true, true) if is_plain => hand_in.at_most.min(Proof::Given),
                 (_, false) => Proof::Name,
                 _ => hand_in.at_most,
             };
-            if !are_classes {
-                hand_in.doubts.push(format!(
-                    "`{}` contains names of people, but was passed together with single \
-                     submissions; if it is a class, pass it alone",
-                    self.name
-                ));
-            }
+            let doubt =
+                doubt.map(|why| format!("`{}` contains names of people, but {why}", self.name));
+            hand_in.doubts.extend(doubt);
         }
         (all, ignored)
     }

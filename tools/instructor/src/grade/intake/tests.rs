@@ -70,7 +70,7 @@ impl Export {
     }
 
     fn find(&self, name: &str) -> Intake {
-        find(&[self.path(name)], &assignment(), None).expect("it can be read")
+        find(&[self.path(name)], &assignment(), None, None).expect("it can be read")
     }
 
     /// Checks whose submissions were found, and that each contains all answers of that person and
@@ -237,7 +237,7 @@ fn an_answer_of_an_earlier_assignment_is_read_from_the_folder_of_this_one() {
     export.put_all("class/ada", clone);
     export.put("class/bob/ray_box.rs", b"// box");
     export.put("class/bob/triangle.rs", b"// by bob");
-    let intake = super::find(&[export.path("class")], &assignment, None).expect("a class");
+    let intake = super::find(&[export.path("class")], &assignment, None, None).expect("a class");
     let earlier = intake.entries.iter().map(|entry| {
         let submission = entry.submission.as_ref().expect("it was read");
         let answer = submission.answer("triangle");
@@ -506,13 +506,13 @@ fn a_link_is_no_submission() {
     assert_eq!(name(&link), "1002");
     let linked = [link.clone(), link.join("")];
     for path in &linked {
-        let refused = find(std::slice::from_ref(path), &assignment(), None);
+        let refused = find(std::slice::from_ref(path), &assignment(), None, None);
         assert!(
             refused.is_err_and(|it| it.problem.contains("is a link")),
             "{path:?}"
         );
     }
     let [_, slash] = linked;
-    let found = find(&[own, slash], &assignment(), None).expect("one is a folder");
+    let found = find(&[own, slash], &assignment(), None, None).expect("one is a folder");
     assert_eq!((found.entries.len(), found.ignored.len()), (1, 1));
 }

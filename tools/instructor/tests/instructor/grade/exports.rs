@@ -63,7 +63,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     );
     let layout = "hw1-alan-turing/assignments/ray_casting/handout/src/";
     put(&class.folder.join("github"), &answers(layout, None));
-    let mut files = answers("emmy noether/My files/CG/src/", None);
+    let mut files = answers("e@uni.example/My files/CG/src/", None);
     files.remove(2);
     put(&class.folder.join("mail"), &files);
     fs::write(class.folder.join("mail/notes.txt"), "mine").expect("there is room");
@@ -76,7 +76,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     let paths = ["submissions.zip", "moodle", "github", "mail"].map(|name| class.path(name));
     let (roster, out) = (class.path("roster.csv"), class.path("out"));
     let mut line = vec!["grade", "--roster", &roster, "--no-fresh"];
-    line.extend(["--named", "hw1-{github}", "--named", "{name}"]);
+    line.extend(["--named", "hw1-{github}"]);
     line.extend(paths.iter().map(String::as_str));
     on_small_assignment(&[&line[..], &["--dry-run"]].concat())
         .expect_code(1)

@@ -396,18 +396,18 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
         class.path(name)
     };
     put("few/Team B/plane.rs", "// ours");
-    put("few/Cleo Clark/plane.rs", "// mine");
+    put("few/cleo/plane.rs", "// mine");
     put("cleo/plane.rs", "// mine");
     let roster = put(
         "roster.csv",
         "id,name\nada,Ada Ash\nbob,Bob Boole\ncleo,Cleo Clark\n",
     );
-    put("groups.csv", "id,group\nada,Team B\nbob,Team B\n");
+    put("groups.csv", "id,group\nada,B\nbob,B\n");
     let policy = put("policy.toml", "groups = 'groups.csv'\n");
     let (few, one, out) = (class.path("few"), class.path("cleo"), class.path("out"));
     let line = ["grade", "--no-fresh", "--roster", &roster, "--out"];
-    let by_name = ["--named", "{group}", "--named", "{name}"];
-    on_small_assignment(&[&line[..], &[&out, &few, "--policy", &policy], &by_name].concat())
+    let named = ["--named", "Team {group}"];
+    on_small_assignment(&[&line[..], &[&out, &few, "--policy", &policy], &named].concat())
         .expect_code(1)
         .expect_out("0 handed in nothing");
     on_small_assignment(&[&line[..], &[&out, &one]].concat())
@@ -425,10 +425,10 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
     refused(&other, "graded with another --named");
     refused(
         &["--policy", &policy, "--shard", "1/1"],
-        "now missing: Cleo",
+        "now missing: Team",
     );
     let (bare, merged) = (class.path("bare"), class.path("merged"));
-    on_small_assignment(&[&line[..], &[&bare, &few], &by_name].concat())
+    on_small_assignment(&[&line[..], &[&bare, &few], &named].concat())
         .expect_code(1)
         .expect_out("2 handed in nothing");
     on_small_assignment(&["merge", &bare, "--policy", &policy, "--out", &merged])

@@ -54,7 +54,7 @@ fn people() -> Vec<Person> {
 
 #[track_caller]
 fn is(name: &str, id: &str) {
-    let placed = place(&entries(&[name]), Some(&people()), &[]);
+    let placed = place(&entries(&[name]), Some(&people()), &NamePattern::default());
     let found = placed.of.get(name).map(|person| person.id.as_str());
     assert_eq!(found, Some(id), "{name}: {placed:?}");
     assert!(placed.several.is_empty(), "{name}: {placed:?}");
@@ -99,7 +99,7 @@ fn accents_find_their_people_however_they_are_written() {
         "lovelaceada學_1_2_a.zip",
         "Ada Lovelace學",
     ] {
-        let placed = place(&entries(&[name]), Some(&people()), &[]);
+        let placed = place(&entries(&[name]), Some(&people()), &NamePattern::default());
         assert_eq!(placed.unknown, [name]);
     }
     // Without accents, a name may be that of somebody who has lost them.
@@ -113,7 +113,7 @@ fn accents_find_their_people_however_they_are_written() {
 #[test]
 fn ambiguous_and_unknown_submissions_are_listed() {
     let all = entries(&["leesam_1_2_a.zip", "mallory"]);
-    let placed = place(&all, Some(&people()), &[]);
+    let placed = place(&all, Some(&people()), &NamePattern::default());
     assert_eq!(placed.ambiguous["leesam_1_2_a.zip"].len(), 2);
     assert_eq!(placed.unknown, ["mallory"]);
     assert_eq!(placed.missing.len(), 5);
@@ -123,7 +123,7 @@ fn ambiguous_and_unknown_submissions_are_listed() {
 #[test]
 fn an_account_with_somebody_elses_name_does_not_get_their_mark() {
     let names = ["lovelaceada_11_501_a.zip", "lovelaceada_12_502_a.zip"];
-    let placed = place(&entries(&names), Some(&people()), &[]);
+    let placed = place(&entries(&names), Some(&people()), &NamePattern::default());
     assert!(
         placed.of.is_empty() && placed.superseded.is_empty(),
         "{placed:?}"
@@ -132,7 +132,7 @@ fn an_account_with_somebody_elses_name_does_not_get_their_mark() {
     // The roster can say which account is hers.
     let mut people = people();
     people[0].number = Some("11".into());
-    let placed = place(&entries(&names), Some(&people), &[]);
+    let placed = place(&entries(&names), Some(&people), &NamePattern::default());
     assert_eq!(placed.of[names[0]].id, "s1");
     assert_eq!(placed.unknown, [names[1]]);
 }
@@ -145,7 +145,7 @@ fn file_name_chosen_by_the_uploader_is_not_trusted() {
         "friendfred_14_504_y_20239999_assignsubmission_file.zip",
         "samlee_15_505_Ada Lovelace_16_assignsubmission_file.zip",
     ];
-    let placed = place(&entries(&names), Some(&people()), &[]);
+    let placed = place(&entries(&names), Some(&people()), &NamePattern::default());
     assert_eq!(placed.of.len(), 1, "{placed:?}");
     assert_eq!(placed.of[names[0]].id, "s1");
     assert!(placed.ambiguous.contains_key(names[2]), "{placed:?}");
@@ -165,7 +165,7 @@ fn a_display_name_like_what_moodle_adds_gives_nobody_a_submission() {
     let placed = place(
         &entries(&[chosen, others[0], others[1]]),
         Some(&people),
-        &[],
+        &NamePattern::default(),
     );
     assert_eq!(placed.ambiguous[chosen], people[..1], "{placed:?}");
 }
@@ -173,25 +173,37 @@ fn a_display_name_like_what_moodle_adds_gives_nobody_a_submission() {
 #[test]
 fn names_that_people_choose_are_listed_and_yield_to_names_that_they_do_not_choose() {
     let named = "lovelaceada_13_502_hw.zip";
-    let placed = place(&entries(&[named, "s2", "s3"]), Some(&people()), &[]);
+    let placed = place(
+        &entries(&[named, "s2", "s3"]),
+        Some(&people()),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of[named].id, "s1");
     assert_eq!(placed.by_name, [named]);
-    let placed = place(&entries(&[named, "s1"]), Some(&people()), &[]);
+    let placed = place(
+        &entries(&[named, "s1"]),
+        Some(&people()),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of.len(), 1);
     assert_eq!(placed.of["s1"].id, "s1");
     assert!(placed.ambiguous.contains_key(named), "{placed:?}");
     // A name among other words proves nothing, because it may be a login.
-    let placed = place(&entries(&["hw1-ada-lovelace"]), Some(&people()), &[]);
+    let placed = place(
+        &entries(&["hw1-ada-lovelace"]),
+        Some(&people()),
+        &NamePattern::default(),
+    );
     assert!(placed.ambiguous.contains_key("hw1-ada-lovelace") && placed.of.is_empty());
 }
 
 #[test]
 fn a_number_that_happens_to_be_another_persons_id_contradicts_the_name() {
     let name = "lovelaceada_20239999_501_a.zip";
-    let placed = place(&entries(&[name]), Some(&people()), &[]);
+    let placed = place(&entries(&[name]), Some(&people()), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     let name = "nobodyever_20239999_501_a.zip";
-    let placed = place(&entries(&[name]), Some(&people()), &[]);
+    let placed = place(&entries(&[name]), Some(&people()), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 1, "{placed:?}");
     is("Gus Ghost_20239999_assignsubmission_file", "20239999");
 }
@@ -201,14 +213,14 @@ fn a_groups_number_on_moodle_is_not_mistaken_for_a_persons() {
     let mut people = people();
     people[0].number = Some("2001".into());
     let name = "Team Rocket_2001_assignsubmission_file";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.ambiguous[name], [people[0].clone()], "{placed:?}");
     // Canvas writes the group's name, but the number of the person who handed in.
     for name in [
         "Lovelace Ada M._2001_assignsubmission_file",
         "teamrocket_2001_501_hw.zip",
     ] {
-        let placed = place(&entries(&[name]), Some(&people), &[]);
+        let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
         assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     }
 }
@@ -220,7 +232,7 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
     people[3].number = Some("2004".into());
     people[3].group = Some("Ada fans".into());
     let name = "Ada fans_2001_assignsubmission_file";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     // Nobody can put a person's own submission in doubt by a group's name, but it is listed.
     let name = "Ada Lovelace_2001_assignsubmission_file";
@@ -230,7 +242,11 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
             "Grace Hopper_2002_assignsubmission_file",
             "Zoë Müller_2003_assignsubmission_file",
         ];
-        let placed = place(&entries(&[name, others[0], others[1]]), Some(&people), &[]);
+        let placed = place(
+            &entries(&[name, others[0], others[1]]),
+            Some(&people),
+            &NamePattern::default(),
+        );
         assert_eq!(placed.of[name].id, "s1", "{placed:?}");
         let is_listed = placed.contested.iter().any(|it| it == name);
         assert_eq!(is_listed, group == "Ada Lovelace", "{placed:?}");
@@ -239,15 +255,15 @@ fn a_group_with_somebodys_number_and_a_word_of_their_name_is_not_taken_for_them(
     people[0].group = Some("1".into());
     people[3].group = Some("1.".into());
     let name = "1._2001_assignsubmission_file";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     // The group's members have numbers of their own.
     people[3].group = Some("Ada fans".into());
     let name = "Ada fans_3001_assignsubmission_file";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.of[name].id, "s4", "{placed:?}");
     let name = "adafans_3001_501_hw.zip";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert!(
         placed.of.is_empty(),
         "Canvas writes a person's number: {placed:?}"
@@ -260,17 +276,17 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     people[0].number = Some("11".into());
     people[1].number = Some("12".into());
     let name = "lovelaceada_11_501_hw_2026_11_20.zip";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     assert_eq!(placed.by_name, [name]);
     // Here, the first part is the name of nobody whom we know.
     let chosen = "HW_attempt_2026-11-20-23-59-01_11_501_z.zip";
-    let placed = place(&entries(&[chosen]), Some(&people), &[]);
+    let placed = place(&entries(&[chosen]), Some(&people), &NamePattern::default());
     assert!(placed.ambiguous.contains_key(chosen), "{placed:?}");
     // The date may also be somebody else's number.
     let mut others = people.clone();
     others[2].number = Some("2026".into());
-    let placed = place(&entries(&[name]), Some(&others), &[]);
+    let placed = place(&entries(&[name]), Some(&others), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
     // An account whose name looks like hers replaces nothing.
     for names in [
@@ -283,7 +299,7 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
             "lovelaceada_11_501_hw.zip",
         ],
     ] {
-        let placed = place(&entries(&names), Some(&people), &[]);
+        let placed = place(&entries(&names), Some(&people), &NamePattern::default());
         assert_eq!(placed.of.len(), 1, "{placed:?}");
         assert_eq!(placed.of[names[1]].id, "s1");
         assert!(placed.ambiguous.contains_key(names[0]), "{placed:?}");
@@ -308,7 +324,11 @@ fn a_persons_name_may_begin_with_the_first_or_the_last_name() {
 #[test]
 fn a_name_of_one_word_is_not_looked_for_among_other_words() {
     let plato = person("s9", "Plato");
-    let placed = place(&entries(&["homework1-plato"]), Some(&[plato]), &[]);
+    let placed = place(
+        &entries(&["homework1-plato"]),
+        Some(&[plato]),
+        &NamePattern::default(),
+    );
     assert!(
         placed.of.is_empty() && placed.ambiguous.is_empty(),
         "{placed:?}"
@@ -319,7 +339,11 @@ fn a_name_of_one_word_is_not_looked_for_among_other_words() {
 fn several_submissions_by_one_person_are_all_listed() {
     let mut people = people();
     people[1].logins.push("gh77".into());
-    let placed = place(&entries(&["s2", "gh77"]), Some(&people), &[]);
+    let placed = place(
+        &entries(&["s2", "gh77"]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert!(placed.superseded.is_empty());
     assert_eq!(placed.several.len(), 1);
     assert_eq!(placed.of.len(), 2);
@@ -334,7 +358,7 @@ fn an_address_that_people_may_have_typed_in_is_listed() {
     let placed = place(
         &entries(&["ada@home.example", "grace@uni.example"]),
         Some(&people),
-        &[],
+        &NamePattern::default(),
     );
     assert_eq!(placed.of.len(), 2);
     assert_eq!(placed.by_name, ["ada@home.example"]);
@@ -353,7 +377,7 @@ fn a_single_name_like_a_platforms_is_listed() {
         ),
     ] {
         let names = [chosen, others[0], others[1]];
-        let placed = place(&entries(&names), Some(&people), &[]);
+        let placed = place(&entries(&names), Some(&people), &NamePattern::default());
         assert_eq!(placed.of[chosen].id, "s1");
         assert_eq!(placed.by_name.iter().any(|it| it == chosen), is_listed);
     }
@@ -365,11 +389,11 @@ fn an_address_is_not_confused_with_one_that_has_the_same_letters() {
     people[0].logins = vec!["ada@cs.uni.edu".into()];
     people[1].logins = vec!["adacs@uni.edu".into()];
     for name in ["ada@cs.uni.edu", "Ada@cs.uni.edu"] {
-        let placed = place(&entries(&[name]), Some(&people), &[]);
+        let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
         assert_eq!(placed.of.get(name), Some(&people[0]), "{placed:?}");
     }
     let name = "ada_cs_uni_edu";
-    let placed = place(&entries(&[name]), Some(&people), &[]);
+    let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
     assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
 }
 
@@ -380,12 +404,12 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
     people[1].group = Some("AL-123".into());
     people[2].group = Some("S-1".into());
     people[3].group = Some("AL123".into());
-    let placed = place(&entries(&["al123"]), Some(&people), &[]);
+    let placed = place(&entries(&["al123"]), Some(&people), &NamePattern::default());
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
     assert_eq!(placed.contested, ["al123"]);
     people[3].group = None;
     for (name, member) in [("AL-123", 1), ("S-1", 2)] {
-        let placed = place(&entries(&[name]), Some(&people), &[]);
+        let placed = place(&entries(&[name]), Some(&people), &NamePattern::default());
         assert_eq!(placed.ambiguous[name].len(), 2, "{placed:?}");
         assert!(
             placed.ambiguous[name].contains(&people[member]),
@@ -393,7 +417,7 @@ fn a_group_named_like_anothers_id_or_login_takes_nobodys_place() {
         );
     }
     // Nobody takes an id, but it is listed.
-    let placed = place(&entries(&["s1"]), Some(&people), &[]);
+    let placed = place(&entries(&["s1"]), Some(&people), &NamePattern::default());
     assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
     assert_eq!(placed.contested, ["s1"], "{placed:?}");
 }
@@ -403,11 +427,15 @@ fn an_assigned_login_outweighs_the_same_login_on_github() {
     let mut people = people();
     people[0].logins = vec!["al123".into()];
     people[1].github = Some("AL123".into());
-    let placed = place(&entries(&["al123"]), Some(&people), &[]);
+    let placed = place(&entries(&["al123"]), Some(&people), &NamePattern::default());
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
     assert_eq!(placed.contested, ["al123"]);
     people[1].github = Some("al-123".into());
-    let placed = place(&entries(&["al123", "al-123"]), Some(&people), &[]);
+    let placed = place(
+        &entries(&["al123", "al-123"]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
     assert_eq!(placed.ambiguous["al-123"], people[..2]);
     // The instructor decides by an id, which nobody can contest. But if somebody has chosen it, it is
@@ -420,7 +448,11 @@ fn an_assigned_login_outweighs_the_same_login_on_github() {
             "name" => people[1].name = "S1".into(),
             _ => {}
         }
-        let placed = place(&entries(&["s1", "al123"]), Some(&people), &[]);
+        let placed = place(
+            &entries(&["s1", "al123"]),
+            Some(&people),
+            &NamePattern::default(),
+        );
         assert_eq!(placed.of["s1"].id, "s1", "{placed:?}");
         assert_eq!(placed.of["al123"].id, "s1", "{placed:?}");
         assert_eq!(placed.contested, ["s1"], "{chosen}: {placed:?}");
@@ -432,7 +464,7 @@ fn a_single_name_like_a_platforms_is_listed_even_if_there_is_no_other() {
     let mut people = people();
     people[0].number = Some("11".into());
     let mailed = "lovelaceada_11_999_late.zip";
-    let placed = place(&entries(&[mailed]), Some(&people), &[]);
+    let placed = place(&entries(&[mailed]), Some(&people), &NamePattern::default());
     assert_eq!(placed.by_name, [mailed], "{placed:?}");
 }
 
@@ -444,31 +476,55 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
     }
     let of = |login: &str| format!("HW_1_{login}_attempt_2026-11-20-23-00-00");
     let [ada, bob, zoe] = ["al", "x_bob", "zm"].map(of);
-    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people), &[]);
+    let placed = place(
+        &entries(&[&ada, &bob, &zoe]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of.len(), 3);
     assert!(placed.by_name.is_empty(), "{placed:?}");
     // The beginning of an address may be a latecomer's login.
     people[2].logins = vec!["zm@x.org".into()];
-    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people), &[]);
+    let placed = place(
+        &entries(&[&ada, &bob, &zoe]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.ambiguous[&zoe], people[2..3], "{placed:?}");
     // People may have typed in an address.
     let zoes = of("zm@x.org");
-    let placed = place(&entries(&[&ada, &bob, &zoes]), Some(&people), &[]);
+    let placed = place(
+        &entries(&[&ada, &bob, &zoes]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.by_name, [zoes], "{placed:?}");
     // Nobody has somebody else's login by an address.
     people[2].logins = vec!["zm@x.org".into(), "al@x.org".into()];
-    let placed = place(&entries(&[&ada, &bob, &zoe]), Some(&people), &[]);
+    let placed = place(
+        &entries(&[&ada, &bob, &zoe]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
     // Many attempts of one person don't make a title.
     let other = |hour: u32| format!("HW_1_y_al_attempt_2026-11-20-{hour}-00-00");
     let others: Vec<String> = (10..20).map(other).collect();
     let all = others.iter().chain([&ada, &bob]).map(String::as_str);
-    let placed = place(&entries(&all.collect::<Vec<_>>()), Some(&people), &[]);
+    let placed = place(
+        &entries(&all.collect::<Vec<_>>()),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
     // A login may end in another person's.
     people[3].logins = vec!["bob".into()];
-    let placed = place(&entries(&[&bob]), Some(&people), &[]);
+    let placed = place(&entries(&[&bob]), Some(&people), &NamePattern::default());
     assert_eq!(placed.ambiguous[&bob].len(), 2, "{placed:?}");
-    let placed = place(&entries(&[&ada, &bob]), Some(&people), &[]);
+    let placed = place(
+        &entries(&[&ada, &bob]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of[&bob].id, "s2", "{placed:?}");
 }

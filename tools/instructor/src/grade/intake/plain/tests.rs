@@ -5,15 +5,15 @@ use super::*;
 /// Whose each of these submissions is, by the last digit of the id; if that is not certain, the
 /// digits of all who come into question, in brackets.
 pub fn whose(names: &[&str], people: &[Person]) -> String {
-    whose_named(&[], names, people)
+    whose_named("{id}", names, people)
 }
 
-fn whose_named(patterns: &[&str], names: &[&str], people: &[Person]) -> String {
-    let patterns: Vec<NamePattern> = patterns
-        .iter()
-        .map(|it| it.parse().expect("it is a pattern"))
-        .collect();
-    let placed = place(&entries(names), Some(people), &patterns);
+fn pattern(text: &str) -> NamePattern {
+    text.parse().expect("it is a pattern")
+}
+
+fn whose_named(named: &str, names: &[&str], people: &[Person]) -> String {
+    let placed = place(&entries(names), Some(people), &pattern(named));
     let digits = |all: &[Person]| -> String {
         let mut all: Vec<&str> = all.iter().map(|it| &it.id[it.id.len() - 1..]).collect();
         all.sort();
@@ -91,7 +91,11 @@ fn nobodys_choice_takes_an_id() {
             ("1", "ab-1", false),
         ] {
             let people = with_mallory(chosen, what);
-            let placed = place(&entries(&[name, "cd-2"]), Some(&people), &[]);
+            let placed = place(
+                &entries(&[name, "cd-2"]),
+                Some(&people),
+                &NamePattern::default(),
+            );
             assert_eq!(placed.of[name].id, "ab-1", "{what}");
             assert_eq!(placed.of["cd-2"].id, "cd-2", "{what}");
             let listed = if is_contested { &[name][..] } else { &[] };
@@ -112,7 +116,7 @@ fn whatever_others_choose_a_repository_belongs_to_the_person_with_its_login() {
                 // No two accounts have the same login.
                 people[3].github = None;
             }
-            let whose = |names: &[&str]| whose_named(&["hw1-{github}"], names, &people);
+            let whose = |names: &[&str]| whose_named("hw1-{github}", names, &people);
             assert_eq!(whose(&names), "124", "{what}");
             // Nobody gets the repository of somebody who is not on the roster.
             for stranger in ["hw1-zed", "hw1-zz-ada", "hw1-ab-1", "hw1-Ada Lovelace"] {
@@ -128,78 +132,86 @@ fn whatever_others_choose_a_repository_belongs_to_the_person_with_its_login() {
 fn a_pattern_says_which_part_of_a_name_is_whose() {
     let mut people = with_mallory(|it, what| it.github = Some(what.into()), "ada-main");
     people[1].group = Some("First Team".into());
-    for (patterns, names, expected) in [
-        (
-            &["hw1-{github}"][..],
-            &["hw1-ada", "hw1-ada-main"][..],
-            "13",
-        ),
-        (&["hw1-{github}-main"], &["hw1-ada-main"], "1"),
-        // Nobody knows.
-        (
-            &["hw1-{github}-main", "hw1-{github}"],
-            &["hw1-ada-main", "hw1-ada"],
-            "[13]1",
-        ),
-        // Two sections.
-        (&["a-{github}", "b-{github}"], &["a-ada", "b-bob"], "12"),
-        (&["{id}_hw1"], &["ab-1_hw1", "ada_hw1", "cd-2"], "1[1]2"),
-        (&["{github}"], &["ada", "Ada Lovelace", "ab-1"], "1[1]1"),
-        (&["{name}"], &["ada", "Lovelace, Ada", "ab-1"], "[1][1]1"),
-        (
-            &["hw 1 {name}"],
-            &["hw 1 Ada Lovelace", "Bob Babbage"],
-            "1[2]",
-        ),
-        (&["hw1-{group}"], &["hw1-first-team", "hw1-ada"], "2[1]"),
+    for (named, names, expected) in [
+        ("hw1-{github}", &["hw1-ada", "hw1-ada-main"][..], "13"),
+        ("hw1-{github}-main", &["hw1-ada-main"], "1"),
+        ("{id}_hw1", &["ab-1_hw1", "ada_hw1", "cd-2"], "1[1]2"),
+        ("hw 1 {name}", &["hw 1 Ada Lovelace", "Bob Babbage"], "1[2]"),
+        ("{name}", &["Ada Lovelace", "Babbage, Bob", "ada"], "12[1]"),
+        ("hw1-{group}", &["hw1-first-team", "hw1-ada"], "2[1]"),
         // The instructor may have made a folder for somebody.
-        (&["hw1-{github}"], &["hw1-bob", "ab-1"], "21"),
+        ("hw1-{github}", &["hw1-bob", "ab-1"], "21"),
+        // But students may have chosen these.
+        ("{github}", &["ada", "Ada Lovelace", "ab-1"], "1[1][1]"),
+        ("hw1-{github}", &["hw1-ab-1", "hw1-Ada Lovelace"], "[1][1]"),
     ] {
-        let found = whose_named(patterns, names, &people);
-        assert_eq!(found, expected, "{patterns:?} {names:?}");
+        let found = whose_named(named, names, &people);
+        assert_eq!(found, expected, "{named} {names:?}");
     }
-    // A whole id and a login after a title may be two people's.
-    people[1].id = "hw1-ada-2".into();
-    people[0].github = Some("ada-2".into());
-    let both = whose_named(&["hw1-{github}"], &["hw1-ada-2"], &people);
-    assert_eq!(both, "[12]");
+}
+
+#[test]
+fn a_login_that_may_be_anothers_and_something_behind_it_is_listed() {
+    for (login, is_listed) in [
+        ("ada-1", true),
+        ("late-ada", true),
+        ("Ada-x", true),
+        ("adam", false),
+        ("ada1-ad", false),
+    ] {
+        let people = with_mallory(|it, what| it.github = Some(what.into()), login);
+        let name = format!("hw1-{login}");
+        let placed = place(&entries(&[&name]), Some(&people), &pattern("hw1-{github}"));
+        assert_eq!(placed.of[&name].id, "ef-3");
+        assert_eq!(placed.contested.len(), usize::from(is_listed), "{login}");
+    }
 }
 
 #[test]
 fn a_folder_named_after_any_id_on_the_roster_has_an_owner() {
     let mut people = with_mallory(|it, what| it.github = Some(what.into()), "mal-3");
     people[3].id = "mal-3".into();
-    let placed = place(&entries(&["mal-3", "ab-1"]), Some(&people), &[]);
+    let placed = place(
+        &entries(&["mal-3", "ab-1"]),
+        Some(&people),
+        &NamePattern::default(),
+    );
     assert_eq!(placed.of["mal-3"].id, "mal-3");
     assert_eq!(placed.by_name, ["mal-3"], "people choose their logins");
     // Somebody's assigned login outweighs it.
     people[0].logins = vec!["mal-3".into()];
     assert_eq!(whose(&["mal-3"], &people), "1");
+    // An id outweighs an address that somebody has typed in.
+    people[0].id = "ada-1@x.org".into();
+    people[3].logins = vec!["ada-1@x.org".into()];
+    assert_eq!(whose(&["ada-1@x.org"], &people), "g");
 }
 
 #[test]
 fn a_persons_name_counts_if_the_instructor_says_so_but_is_listed() {
-    let mut people = with_mallory(|it, what| it.name = what.into(), "ab-1");
-    let patterns = ["{name}".parse().expect("it is a pattern")];
-    let placed = place(&entries(&["Bob Babbage", "ab-1"]), Some(&people), &patterns);
+    let mut people = with_mallory(|it, what| it.name = what.into(), "Zo\u{eb} M\u{fc}ller");
+    let names = ["Bob Babbage", "zoe muller"];
+    let placed = place(&entries(&names), Some(&people), &pattern("{name}"));
     assert_eq!(placed.of["Bob Babbage"].id, "cd-2");
-    assert_eq!(placed.by_name, ["Bob Babbage"]);
-    // It is an id, and Mallory has chosen it for a name.
-    assert_eq!(placed.of["ab-1"].id, "ab-1");
-    assert_eq!(placed.contested, ["ab-1"]);
+    assert_eq!(placed.of["zoe muller"].id, "ef-3");
+    assert_eq!(placed.by_name, names);
     people[3].name = "Bob Babbage".into();
-    let found = whose_named(&["{name}"], &["Bob Babbage", "cd-2"], &people);
-    assert_eq!(found, "[23]2");
+    people[3].group = Some("7".into());
+    let found = whose_named("{name}", &["Bob Babbage", "7"], &people);
+    assert_eq!(found, "[23][3]", "a group's number is no name");
 }
 
 #[test]
 fn a_group_is_listed_and_one_that_is_written_like_another_is_nobodys() {
     let mut people = with_mallory(|it, what| it.group = Some(what.into()), "R\u{f6}ckets");
-    let patterns = ["hw1-{group}".parse().expect("it is a pattern")];
-    let placed = place(&entries(&["hw1-r-ckets"]), Some(&people), &patterns);
+    let placed = place(
+        &entries(&["hw1-r-ckets"]),
+        Some(&people),
+        &pattern("hw1-{group}"),
+    );
     assert_eq!(placed.of["hw1-r-ckets"].id, "ef-3");
     assert_eq!(placed.contested, ["hw1-r-ckets"]);
     people[0].group = Some("R ckets".into());
-    let found = whose_named(&["hw1-{group}"], &["hw1-r-ckets"], &people);
+    let found = whose_named("hw1-{group}", &["hw1-r-ckets"], &people);
     assert_eq!(found, "[13]");
 }

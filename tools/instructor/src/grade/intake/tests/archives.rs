@@ -127,7 +127,7 @@ fn too_many_archives_in_a_folder_stop_nobody_else() {
     }
     export.put_all("hw1-ada", answers("", "ada"));
     let paths = ["hw1-eve", "hw1-ada"].map(|name| export.path(name));
-    let intake = find(&paths, &assignment(), None).expect("one can be read");
+    let intake = find(&paths, &assignment(), None, None).expect("one can be read");
     assert_eq!(
         (intake.entries.len(), &*intake.entries[0].name),
         (1, "hw1-ada")
@@ -205,7 +205,7 @@ fn what_comes_after_too_much_in_an_archive_is_not_taken_for_all_there_is() {
     export.put("ada.zip", &zip(&answers("", "ada")));
     let read = |names: &[&str]| {
         let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
-        find(&paths, &assignment(), None)
+        find(&paths, &assignment(), None, None)
     };
     let error = read(&["a.tar.gz"]).expect_err("it contains too much");
     assert!(error.remedy.contains("unpack it"), "{error:?}");

@@ -58,7 +58,7 @@ fn submissions_of_the_same_name_are_listed() {
         export.put_all(name, answers("", author));
     }
     let paths = ["t/ada", "t/bob", "late/mal/ada"].map(|path| export.path(path));
-    let intake = find(&paths, &assignment(), None).expect("it can be read");
+    let intake = find(&paths, &assignment(), None, None).expect("it can be read");
     let doubts = intake.entries.iter().map(|it| it.doubts.len());
     assert_eq!(doubts.collect::<Vec<_>>(), [1, 1, 0]);
 }
@@ -86,7 +86,7 @@ fn a_folder_named_after_a_person_is_not_a_class() {
         export.put_all("alone/eve", forged.clone());
         export.put_all("class", forged);
         let names = |folder: &str| -> Vec<String> {
-            let found = find(&[export.path(folder)], &assignment(), Some(&people));
+            let found = find(&[export.path(folder)], &assignment(), Some(&people), None);
             let entries = found.expect("it can be read").entries.into_iter();
             entries.map(|entry| entry.given.concat()).collect()
         };
@@ -147,13 +147,19 @@ fn every_submission_is_in_exactly_one_shard() {
 pub fn placed(export: &Export, names: &[&str], list: &str) -> (Intake, Placement) {
     export.put("roster.csv", list.as_bytes());
     let people = roster::read(&export.path("roster.csv")).expect("it is a roster");
-    placed_among(export, names, people)
+    placed_among(export, names, &people, "{id}")
 }
 
-fn placed_among(export: &Export, names: &[&str], people: Vec<Person>) -> (Intake, Placement) {
+fn placed_among(
+    export: &Export,
+    names: &[&str],
+    people: &[Person],
+    named: &str,
+) -> (Intake, Placement) {
+    let named: NamePattern = named.parse().expect("it is a pattern");
     let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
-    let intake = find(&paths, &assignment(), Some(&people)).expect("it can be read");
-    let placed = placement::place(&intake.entries, Some(&people), &[]);
+    let intake = find(&paths, &assignment(), Some(people), Some(&named)).expect("it can be read");
+    let placed = placement::place(&intake.entries, Some(people), &named);
     (intake, placed)
 }
 
@@ -263,7 +269,7 @@ fn a_chosen_login_or_group_name_takes_nobodys_submission() {
                 true => people[1].group = Some(mallory.into()),
                 false => people[1].github = Some(mallory.into()),
             }
-            let found = placed_among(&export, &["class"], people);
+            let found = placed_among(&export, &["class"], &people, "{id}");
             let who = format!("{folder} {mallory} {by_group}: {:#?}", found.1);
             assert_eq!(all_of(&found, "2002"), [""; 0], "{who}");
             let is_hers = all_of(&found, "2001") == ["// sphere by ada"];
@@ -430,6 +436,28 @@ fn an_upload_among_others_does_not_bring_other_peoples_submissions() {
         assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
         let told = found.0.entries.iter().any(|entry| !entry.doubts.is_empty());
         assert!(told, "{:#?}", found.0);
+    }
+}
+
+#[test]
+fn a_repository_with_names_of_others_in_it_brings_nobody_their_work() {
+    let github = |id: &str, login: &str| Person {
+        id: id.into(),
+        name: id.into(),
+        github: Some(login.into()),
+        ..Person::default()
+    };
+    let people = [github("1001", "ada"), github("1002", "eve")];
+    for (inside, named) in [("1001/", "hw1-{github}"), ("hw1-ada/", "hw1-{github}")] {
+        let export = Export::new();
+        export.put_all("hw1-eve", answers(inside, "mallory"));
+        export.put("hw1-eve.zip", &zip(&answers(inside, "mallory")));
+        for path in ["hw1-eve", "hw1-eve.zip"] {
+            let found = placed_among(&export, &[path], &people, named);
+            assert_eq!(all_of(&found, "1001"), [""; 0], "{:#?}", found.1);
+            let told = found.0.entries.iter().any(|entry| !entry.doubts.is_empty());
+            assert!(told || all_of(&found, "1002").len() == 1, "{:#?}", found.0);
+        }
     }
 }
 

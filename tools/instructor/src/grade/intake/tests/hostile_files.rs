@@ -265,7 +265,7 @@ fn a_path_that_cannot_be_read_stops_nobody_else() {
     std::os::unix::net::UnixListener::bind(export.path("mallory")).expect("there is room");
     let find_all = move |names: &[&str]| {
         let paths: Vec<PathBuf> = names.iter().map(|name| export.path(name)).collect();
-        find(&paths, &assignment(), None)
+        find(&paths, &assignment(), None, None)
     };
     let (sender, results) = std::sync::mpsc::channel();
     std::thread::spawn(move || {

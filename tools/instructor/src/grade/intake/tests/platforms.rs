@@ -44,7 +44,7 @@ fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
     }
     let paths = names.map(|name| export.path(name));
     for paths in [&paths[..], &paths[1..2], &paths[2..]] {
-        let intake = find(paths, &assignment(), None).expect("they can be read");
+        let intake = find(paths, &assignment(), None, None).expect("they can be read");
         assert_eq!(intake.entries.len(), paths.len());
         for entry in intake.entries {
             assert_eq!(entry.platform, None, "{entry:?}");
