@@ -172,6 +172,7 @@ pub fn find(
             is_only: paths.len() == 1,
             found: found.files,
             is_on_roster: &is_on_roster,
+            named: &named,
             is_id: &is_id,
             has_owner: &has_owner,
         };

@@ -140,14 +140,20 @@ impl<'a> Index<'a> {
         self.with(&folded(text), &unaccented(text))
     }
 
-    /// Everyone with this text. A text has lost its accents only if nobody has them.
+    /// Everyone with this text. A name has lost its accents only if nobody's has them.
     fn with<'s>(
         &'s self,
         own: &str,
         unaccented: &str,
     ) -> impl Iterator<Item = (&'a Person, Kind)> + use<'s, 'a> {
-        let all = self.by_text.get(own).or(self.by_text.get(unaccented));
-        let all = all.into_iter().flatten();
+        let of = |text| self.by_text.get(text).map_or(&[][..], Vec::as_slice);
+        let exact = of(own);
+        let is_name = exact.iter().any(|(_, kind)| kind.is_name());
+        let near = match is_name || own == unaccented {
+            true => &[],
+            false => of(unaccented),
+        };
+        let all = exact.iter().chain(near);
         all.map(|(at, kind)| (&self.people[*at], *kind))
     }
 }

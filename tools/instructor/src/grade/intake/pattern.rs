@@ -56,6 +56,12 @@ impl NamePattern {
         self.key
     }
 
+    /// Whether a name is longer than what names a person, and so can't be chosen by people alone.
+    pub fn fits(&self, name: &str) -> bool {
+        let is_bare = self.before.is_empty() && self.after.is_empty();
+        !is_bare && self.own(name).is_some_and(|own| !own.is_empty())
+    }
+
     /// The part of a name that says whose it is, if the name has this pattern.
     pub fn own<'t>(&self, name: &'t str) -> Option<&'t str> {
         let rest = name.strip_prefix(&*self.before)?;

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use super::hand_in::{self, HandIn, Upload, account, signs, tops};
 use super::matching::Proof;
 use super::names::{self, Platform, Sign};
+use super::pattern::NamePattern;
 use super::reader::{Content, FoundFile, file_names};
 
 /// A path on the command line, and what was found there.
@@ -20,6 +21,8 @@ pub struct Source<'a> {
     /// Whether this name may be that of somebody on the roster: see
     /// [`is_somebody`](super::plain::is_somebody).
     pub is_on_roster: &'a dyn Fn(&str, bool) -> bool,
+    /// How submissions are named.
+    pub named: &'a NamePattern,
     /// Whether somebody on the roster has this id or login.
     pub is_id: &'a dyn Fn(&str) -> bool,
     /// Whether this name says whose a submission is: see [`has_owner`](super::plain::has_owner).
@@ -86,9 +89,8 @@ impl Source<'_> {
     /// `main`.
     fn people_among<'t>(&self, tops: impl Iterator<Item = &'t String> + Clone) -> usize {
         let count = |or_chosen| {
-            tops.clone()
-                .filter(|top| self.is_person(top, or_chosen))
-                .count()
+            let is = |top: &&String| self.named.fits(top) || self.is_person(top, or_chosen);
+            tops.clone().filter(is).count()
         };
         match count(true) {
             1 => count(false),
@@ -140,7 +142,7 @@ impl Source<'_> {
         if self.people_among(tops.keys()) > 0 {
             return true;
         }
-        if self.is_person(&self.name, false) {
+        if self.is_person(&self.name, false) || (self.has_owner)(&self.name) {
             return false;
         }
         let holding = self.holding().len();

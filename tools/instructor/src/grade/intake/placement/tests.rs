@@ -108,6 +108,11 @@ fn accents_find_their_people_however_they_are_written() {
         let name = format!("{name}_777_assignsubmission_file");
         assert_eq!(whose(&[&name], &people), expected);
     }
+    // Nobody else hides it by choosing the name with its accents.
+    let mut people = [person("1", "Eve"), person("2", "Zoe Muller")];
+    people[0].group = Some("Zo\u{eb} M\u{fc}ller".into());
+    let name = "Zo\u{eb} M\u{fc}ller_777_assignsubmission_file";
+    assert_eq!(whose(&[name], &people), "[12]");
 }
 
 #[test]

@@ -462,6 +462,40 @@ fn a_repository_with_names_of_others_in_it_brings_nobody_their_work() {
 }
 
 #[test]
+fn accounts_that_nobody_knows_hide_no_class() {
+    let people = [Person {
+        id: "1001".into(),
+        github: Some("ada".into()),
+        ..Person::default()
+    }];
+    let export = Export::new();
+    let mut all = answers("hw1-ada/src/", "ada");
+    all.extend((0..4).flat_map(|k| answers(&format!("hw1-zz{k}/src/"), "mallory")));
+    for top in ["", "hw1-submissions/"] {
+        let wrapped = all
+            .iter()
+            .map(|(path, text)| (format!("{top}{path}"), text.clone()));
+        export.put("hw1-submissions.zip", &zip(&wrapped.collect::<Vec<_>>()));
+        let found = placed_among(&export, &["hw1-submissions.zip"], &people, "hw1-{github}");
+        assert_eq!(
+            all_of(&found, "1001"),
+            ["// sphere by ada"],
+            "{:#?}",
+            found.1
+        );
+        assert_eq!(found.1.unknown.len(), 4, "{:#?}", found.1);
+    }
+    // A clone may be graded again, wherever its answers are, and beside a class.
+    export.put_all("hw1-ada", answers("mine/", "ada"));
+    export.put_all("few/hw1-ada", answers("", "ada"));
+    for paths in [&["hw1-ada"][..], &["few", "hw1-submissions.zip"]] {
+        let found = placed_among(&export, paths, &people, "hw1-{github}");
+        let all = all_of(&found, "1001");
+        assert_eq!(all[0], "// sphere by ada", "{:#?}", found.1);
+    }
+}
+
+#[test]
 fn an_archive_proves_no_id_by_its_own_name_or_by_those_inside() {
     let list = "id,name,number\n1001,Ada Lovelace,11\n1002,Bob Boole,12\n";
     let export = Export::new();
