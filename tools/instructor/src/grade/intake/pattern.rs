@@ -56,7 +56,7 @@ impl NamePattern {
         self.key
     }
 
-    /// Whether a name is longer than what names a person, and so can't be chosen by people alone.
+    /// Whether a name has this pattern, and something around what names a person.
     pub fn fits(&self, name: &str) -> bool {
         let is_bare = self.before.is_empty() && self.after.is_empty();
         !is_bare && self.own(name).is_some_and(|own| !own.is_empty())

@@ -89,7 +89,8 @@ impl Source<'_> {
     /// `main`.
     fn people_among<'t>(&self, tops: impl Iterator<Item = &'t String> + Clone) -> usize {
         let count = |or_chosen| {
-            let is = |top: &&String| self.named.fits(top) || self.is_person(top, or_chosen);
+            let fits = |top: &str| self.named.fits(file_names::stem(top));
+            let is = |top: &&String| fits(top) || self.is_person(top, or_chosen);
             tops.clone().filter(is).count()
         };
         match count(true) {

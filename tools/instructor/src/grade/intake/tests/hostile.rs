@@ -485,6 +485,19 @@ fn accounts_that_nobody_knows_hide_no_class() {
         );
         assert_eq!(found.1.unknown.len(), 4, "{:#?}", found.1);
     }
+    // What stands behind a login may do so before the ending of an archive.
+    let clones = ["ada", "zz1", "zz2", "zz3"].map(|login| {
+        let clone = zip(&answers("", login));
+        (format!("hw1-{login}-main.zip"), clone)
+    });
+    export.put("clones.zip", &zip(&clones));
+    let found = placed_among(&export, &["clones.zip"], &people, "hw1-{github}-main");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
     // A clone may be graded again, wherever its answers are, and beside a class.
     export.put_all("hw1-ada", answers("mine/", "ada"));
     export.put_all("few/hw1-ada", answers("", "ada"));
