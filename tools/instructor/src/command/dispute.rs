@@ -94,17 +94,26 @@ fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
 /// mark it decides, or may decide.
 fn id_of(named: &str, roll: &Roll) -> Result<String> {
     let is_named = |person: &Person| person.id == named || matching::is_name(named, person);
-    let is_meant = |id: &str| {
+    let is_theirs = |id: &str| {
         let person = roll.placed.of.get(id);
         let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
+        team.any(is_named)
+    };
+    let is_meant = |id: &str| {
         let mut perhaps = roll.placed.ambiguous.get(id).into_iter().flatten();
-        team.any(is_named) || perhaps.any(is_named)
+        is_theirs(id) || perhaps.any(is_named)
     };
     let ids = roll.entries.iter().map(|entry| entry.id.clone());
-    if let Some(id) = ids.clone().find(|id| id == named) {
+    let theirs: Vec<String> = ids.clone().filter(|id| is_theirs(id)).collect();
+    // Somebody may have named an archive after another person's id.
+    let is_free = theirs.is_empty() || theirs.iter().any(|id| id == named);
+    if let Some(id) = ids.clone().find(|id| id == named && is_free) {
         return Ok(id);
     }
-    let found: Vec<String> = ids.filter(|id| is_meant(id)).collect();
+    let found: Vec<String> = match theirs.is_empty() {
+        true => ids.filter(|id| is_meant(id)).collect(),
+        false => theirs,
+    };
     match &found[..] {
         [id] => Ok(id.clone()),
         [] => Err(Error::input(
@@ -223,6 +232,11 @@ mod tests {
             crate::grade::class::marks::tests::roll(entries, RULES, &[("team", &["ada", "bob"])]);
         assert_eq!(id_of("bob", &both).expect("it is there"), "bob");
         assert!(id_of("ada", &both).is_err());
+        // An archive with a person's id for a name is not the person's submission.
+        let entries = vec![entry("bob", "eve", "eve"), entry("one", "bob", "bob")];
+        let archive = crate::grade::class::marks::tests::roll(entries, RULES, &[]);
+        assert_eq!(id_of("bob", &archive).expect("it is there"), "one");
+        assert_eq!(id_of("eve", &archive).expect("it is there"), "bob");
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
         assert!(error.to_string().contains("no submission by"), "{error}");
     }

@@ -75,7 +75,8 @@ pub enum Proof {
 
 /// Whether a login on GitHub, which people choose themselves, stands in for a person's id.
 pub fn has_chosen_id(person: &Person) -> bool {
-    person.github.as_ref() == Some(&person.id)
+    let github = person.github.as_ref();
+    github.is_some_and(|it| it.eq_ignore_ascii_case(&person.id))
 }
 
 /// The people with this id or login, as the university assigned them.

@@ -42,8 +42,12 @@ pub struct TimeLine {
 
 impl TimeLine {
     fn has(&self, (kind, key): &(TimeKey, &String)) -> bool {
+        let is = |text: &String| match kind {
+            TimeKey::Login => text.eq_ignore_ascii_case(key),
+            _ => text == *key,
+        };
         let mut keys = self.keys.iter();
-        keys.any(|(own, text)| own == kind && text == *key)
+        keys.any(|(own, text)| own == kind && is(text))
     }
 
     /// Whether it has a person's id or number, or a login that `other` doesn't have.
@@ -61,7 +65,8 @@ impl TimeLine {
         let own: Vec<&String> = person.all_logins().filter(is_address).collect();
         let logins = self.keys.iter().filter(|(kind, _)| *kind == TimeKey::Login);
         let given: Vec<&String> = logins.map(|(_, text)| text).filter(is_address).collect();
-        !own.is_empty() && !given.is_empty() && !given.iter().any(|it| own.contains(it))
+        let is_own = |given: &&String| own.iter().any(|it| it.eq_ignore_ascii_case(given));
+        !own.is_empty() && !given.is_empty() && !given.iter().any(is_own)
     }
 
     /// What identifies the person.

@@ -195,6 +195,10 @@ fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() 
     let (points, listed) = marks(&roll, [("countess", 20), ("bob", 20), ("al123", 25)]);
     assert_eq!(points, [60.0; 3]);
     assert_eq!(listed, ["eve: al123"]);
+    // A stranger on GitHub has the login that bob has at the university, and bob is late.
+    let (points, listed) = marks(&roll, [("countess", 20), ("bb9", 20), ("Bob", 25)]);
+    assert_eq!(points, [60.0; 3]);
+    assert_eq!(listed, ["bob: bob", "eve"]);
     // The table has the university's logins, and ada is late.
     let (points, listed) = marks(&roll, [("al123", 25), ("bb9", 25), ("em7", 20)]);
     assert_eq!(points, [60.0, 10.0, 60.0]);
