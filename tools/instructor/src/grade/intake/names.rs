@@ -118,7 +118,9 @@ impl PlatformName<'_> {
             |text: &str| text.len() == 5 && text.bytes().all(|byte| byte.is_ascii_alphanumeric());
         let is_anonymous = ["anon", "LATE_anon"].contains(&person) && is_random(number);
         let is_account = is_number(number) || is_anonymous;
-        let is_name = !ends_late && is_account && !rest.is_empty();
+        // If it stands there twice, nobody knows.
+        let is_same = ends_late && !is_late;
+        let is_name = !is_same && is_account && !rest.is_empty();
         is_name.then_some(PlatformName {
             platform: Platform::Canvas,
             person,
@@ -133,8 +135,9 @@ impl PlatformName<'_> {
     /// All ways to read a name as Moodle writes it.
     fn moodle(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
         const MARK: &str = "_assignsubmission_";
-        // The names of a group and of a person, and a number, are shorter.
-        places(MARK, name, 500).filter_map(|at| {
+        // The names of a group and of a person, and a number, are shorter, even if each of their
+        // characters is written as three.
+        places(MARK, name, 1800).filter_map(|at| {
             let (person, number) = name[..at].rsplit_once('_')?;
             let rest = &name[at + MARK.len()..];
             let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
@@ -324,6 +327,19 @@ mod tests {
         assert_eq!(export(&[eve]), None);
         assert_eq!(export(&["1001", "1002", "manneve_11_1_hw.zip"]), None);
         assert_eq!(export(&[]), None);
+    }
+
+    #[test]
+    fn no_name_of_a_person_hides_the_platforms_own_number() {
+        let backticks = "%60".repeat(162);
+        for name in [
+            "x_LATE_LATE_13_502_Ada_12_501_hw.zip".to_owned(),
+            format!("Ada_12_assignsubmission_file_{backticks}_13_assignsubmission_file_hw.zip"),
+        ] {
+            let all = platforms(&name).into_iter();
+            let numbers: Vec<&str> = all.map(|it| it.number).collect();
+            assert!(numbers.contains(&"13"), "{name}: {numbers:?}");
+        }
     }
 
     #[test]

@@ -6,16 +6,23 @@
 //! a submission is. People who merely stand in a name are suggested to the instructor.
 
 use super::index::{Index, Kind, Match};
-use super::matching::Proof;
+use super::matching::{Proof, with_assigned};
 use super::pattern::{Key, NamePattern};
 use super::roster::Person;
 
 /// The people that a name may mean, each once, and how much it proves if it means only one.
 pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
     let (own, key) = part(name, named);
-    match key.owners(own, index) {
-        (_, found) if found.is_empty() => (Proof::Hint, suggested(own, index)),
-        owners => owners,
+    let (proof, found) = key.owners(own, index);
+    if found.is_empty() {
+        return (Proof::Hint, suggested(own, index));
+    }
+    // The whole name may be an id, too.
+    let by_id = with_assigned(name, index.people);
+    let both = once(found.iter().copied().chain(by_id));
+    match both == found {
+        true => (proof, found),
+        false => (Proof::Hint, both),
     }
 }
 

@@ -142,6 +142,7 @@ fn a_pattern_says_which_part_of_a_name_is_whose() {
         // The instructor may have made a folder for somebody.
         ("hw1-{github}", &["hw1-bob", "ab-1"], "21"),
         // But students may have chosen these.
+        ("{github}", &["ada", "gh-4"], "1[4]"),
         ("{github}", &["ada", "Ada Lovelace", "ab-1"], "1[1][1]"),
         ("hw1-{github}", &["hw1-ab-1", "hw1-Ada Lovelace"], "[1][1]"),
     ] {
@@ -195,6 +196,9 @@ fn a_persons_name_counts_if_the_instructor_says_so_but_is_listed() {
     assert_eq!(placed.of["Bob Babbage"].id, "cd-2");
     assert_eq!(placed.of["zoe muller"].id, "ef-3");
     assert_eq!(placed.by_name, names);
+    people[3].name = "ab-1".into();
+    let found = whose_named("{name}", &["ab-1"], &people);
+    assert_eq!(found, "[13]", "it is an id, too");
     people[3].name = "Bob Babbage".into();
     people[3].group = Some("7".into());
     let found = whose_named("{name}", &["Bob Babbage", "7"], &people);
