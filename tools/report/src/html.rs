@@ -257,14 +257,7 @@ impl JudgedScene<'_> {
             rays,
             own_rays: SubmittedRays::of(&cast.rays, rays.as_ref()),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
-            remarks: match passes {
-                true => Vec::new(),
-                false => {
-                    let note = terminal::note(cast).into_iter();
-                    note.chain(terminal::remarks(self.examination, cast))
-                        .collect()
-                }
-            },
+            remarks: terminal::remarks(self.examination, result, cast),
             command: format!(
                 "{} --scene {}",
                 self.again.part,

@@ -90,8 +90,8 @@ impl Mesh {
 }
 
 thread_local! {
-    /// The meshes of this thread's scene, each with the address of its first triangle. A
-    /// program casts only one scene, so no other mesh is ever at that address.
+    /// The meshes of this thread's scenes, each with the address of its first triangle. All
+    /// scenes of a program exist at the same time, so no other mesh is ever at that address.
     static MESHES: RefCell<Vec<(*const Triangle, Rc<Mesh>)>> = const { RefCell::new(Vec::new()) };
 }
 

@@ -44,12 +44,15 @@ fn report_examination(diagnosis: Diagnosis) -> Examination {
 }
 
 fn report(diagnosis: Diagnosis) -> Report {
-    let examination = report_examination(diagnosis);
+    report_on(&report_examination(diagnosis))
+}
+
+fn report_on(examination: &Examination) -> Report {
     let again = RepeatCommands {
         whole: EVIL.into(),
         part: EVIL.into(),
     };
-    let report = Report::of_examination(&examination, Path::new(""), &again);
+    let report = Report::of_examination(examination, Path::new(""), &again);
     report.expect("no scene needs to be read")
 }
 
@@ -203,6 +206,30 @@ fn a_failing_scene_names_what_was_measured_in_a_task_that_passes() {
     let said = "The task `sphere` passes, but: t is odd.";
     assert_eq!(told(2.0).matches(said).count(), 1, "{}", told(2.0));
     assert_eq!(told(3.0).matches(said).count(), 0, "{}", told(3.0));
+}
+
+#[test]
+fn a_scene_that_passes_but_takes_long_may_be_stopped_when_it_is_graded() {
+    let mut examination = scene_examination(&[], &[]);
+    let right = golden(&[[0.0, 2.0, 0.0, 0.0, 1.0]], 1e-3);
+    let film = film(&[[0.0, 2.0, 0.0, 0.0, 1.0]]);
+    for (scene, seconds) in examination.outcome.scenes.iter_mut().zip([3.9, 4.1]) {
+        scene.outcome = FilmOutcome::from(&judge(&right, &film));
+        scene.seconds = Some(seconds);
+    }
+    let told = terminal::scenes(&examination);
+    assert_eq!(
+        told.matches("When it is graded, a scene that takes so long")
+            .count(),
+        1,
+        "{told}"
+    );
+    let page = report_on(&examination).html();
+    assert_eq!(
+        page.matches("When it is graded, a scene that takes so long")
+            .count(),
+        1
+    );
 }
 
 #[test]
