@@ -137,7 +137,10 @@ pub fn find(
         let index = index.as_ref();
         index.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
     };
-    let is_id = |name: &str| people.is_some_and(|it| !matching::with_assigned(name, it).is_empty());
+    let is_id = |name: &str| {
+        let index = index.as_ref();
+        index.is_some_and(|it| !it.with_assigned(name).is_empty())
+    };
     let has_owner = |name: &str| {
         let index = index.as_ref();
         index.is_some_and(|it| plain::has_owner(name, &named, it))

@@ -2,10 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::index::{Index, Kind, words};
+use super::index::{Index, Kind, once, words};
 use super::matching::{Proof, folded, unaccented};
 use super::pattern::Key;
-use super::plain::once;
 use super::roster::Person;
 
 /// The people that an account may belong to. The platform's number decides, because people may

@@ -132,6 +132,24 @@ impl<'a> Index<'a> {
         found
     }
 
+    /// Everyone for whom exactly this text stands, apart from the case of letters, each once.
+    /// `own` says what somebody's texts are.
+    pub fn exactly<I: Iterator<Item = &'a str>>(
+        &self,
+        text: &str,
+        own: impl Fn(&'a Person) -> I,
+    ) -> Vec<&'a Person> {
+        let all = self.by_text.get(&folded(text)).into_iter().flatten();
+        let all = once(all.map(|(at, _)| &self.people[*at])).into_iter();
+        all.filter(|it| own(it).any(|own| own.eq_ignore_ascii_case(text)))
+            .collect()
+    }
+
+    /// The people with this id or login, as the university assigned them.
+    pub fn with_assigned(&self, id: &str) -> Vec<&'a Person> {
+        self.exactly(id, assigned)
+    }
+
     /// Everyone whom a whole text stands for.
     pub fn whole<'s>(
         &'s self,
@@ -156,6 +174,17 @@ impl<'a> Index<'a> {
         let all = exact.iter().chain(near);
         all.map(|(at, kind)| (&self.people[*at], *kind))
     }
+}
+
+/// The same people, each once.
+pub fn once<'a>(all: impl IntoIterator<Item = &'a Person>) -> Vec<&'a Person> {
+    let mut once: Vec<&Person> = Vec::new();
+    for person in all {
+        if !once.contains(&person) {
+            once.push(person);
+        }
+    }
+    once
 }
 
 /// The id and the logins of a person, as the university assigned them.

@@ -79,16 +79,6 @@ pub fn has_chosen_id(person: &Person) -> bool {
     github.is_some_and(|it| it.eq_ignore_ascii_case(&person.id))
 }
 
-/// The people with this id or login, as the university assigned them.
-pub fn with_assigned<'a>(id: &str, people: &'a [Person]) -> Vec<&'a Person> {
-    let is = |own: &String| own.eq_ignore_ascii_case(id);
-    let has_id = |person: &Person| !has_chosen_id(person) && is(&person.id);
-    let found = people.iter();
-    found
-        .filter(|it| has_id(it) || it.assigned_logins().any(is))
-        .collect()
-}
-
 /// Whether somebody else has this login or id, too. People choose their logins on GitHub.
 pub fn is_anothers_login(login: &str, person: &Person, people: &[Person]) -> bool {
     let others = people.iter().filter(|other| other.id != person.id);

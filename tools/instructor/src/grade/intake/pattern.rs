@@ -5,9 +5,8 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::index::Index;
-use super::matching::{Proof, with_assigned, without_accents};
-use super::plain::once;
+use super::index::{Index, once};
+use super::matching::{Proof, without_accents};
 use super::reader::file_names;
 use super::roster::Person;
 
@@ -72,38 +71,29 @@ impl NamePattern {
 impl Key {
     /// The people whom a part of a name stands for, and how much it proves if it is only one.
     pub fn owners<'a>(self, own: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
-        let all = index.people.iter();
         match self {
             Key::Id => {
-                let is = |it: &String| it.eq_ignore_ascii_case(own);
-                let assigned = with_assigned(own, index.people);
+                let assigned = index.with_assigned(own);
                 // A login on GitHub may stand in for an id, and people may have typed in an address.
-                let chosen: Vec<_> = all.clone().filter(|it| is(&it.id)).collect();
+                let chosen = index.exactly(own, |it| [&*it.id].into_iter());
                 match (assigned.is_empty(), chosen.is_empty()) {
                     (false, _) => (Proof::Id, assigned),
                     (_, false) => (Proof::Name, chosen),
-                    _ => (
-                        Proof::Name,
-                        all.filter(|it| it.logins.iter().any(is)).collect(),
-                    ),
+                    _ => (Proof::Name, index.exactly(own, Person::addresses_in_full)),
                 }
             }
             Key::GitHub => {
-                let own = own.to_lowercase();
-                let login = |it: &Person| it.github.as_ref().map(|it| it.to_lowercase());
-                let found: Vec<_> = all
-                    .clone()
-                    .filter(|it| login(it).as_ref() == Some(&own))
-                    .collect();
+                let with =
+                    |login: &str| index.exactly(login, |it| it.github.as_deref().into_iter());
                 // It may also be another's, and something that the instructor or GitHub has added.
-                let mut others = all.filter_map(login);
-                let is_near = others.any(|it| {
-                    own.starts_with(&format!("{it}-")) || own.ends_with(&format!("-{it}"))
+                let is_near = own.match_indices('-').any(|(at, _)| {
+                    !with(&own[..at]).is_empty() || !with(&own[at + 1..]).is_empty()
                 });
-                (if is_near { Proof::Given } else { Proof::Id }, found)
+                (if is_near { Proof::Given } else { Proof::Id }, with(own))
             }
             // People choose the names of their groups, and several may be written alike.
             Key::Group => {
+                let all = index.people.iter();
                 let found = all.filter(|it| it.group.as_ref().is_some_and(|it| is_group(it, own)));
                 (Proof::Given, found.collect())
             }
@@ -119,7 +109,7 @@ impl Key {
 fn is_group(group: &str, own: &str) -> bool {
     let own = own.to_lowercase();
     let ways = [in_address(group), in_address(&without_accents(group))];
-    !own.is_empty() && (group.to_lowercase() == own || ways.contains(&own))
+    !own.is_empty() && (group.to_lowercase() == own || ways.contains(&own.replace('_', "-")))
 }
 
 /// A name without the letters that aren't ASCII, and with hyphens between its words.
@@ -238,7 +228,7 @@ mod tests {
 
     #[test]
     fn groups_are_found_however_github_writes_them() {
-        let groups = ["Röckets", "First Team", "7"];
+        let groups = ["Röckets", "First Team", "7", "My_Team X"];
         let people = groups.map(|group| Person {
             group: Some(group.into()),
             ..person(group, "Eve")
@@ -248,6 +238,7 @@ mod tests {
             ("rockets", "Röckets"),
             ("first-team", "First Team"),
             ("First Team", "First Team"),
+            ("my_team-x", "My_Team X"),
             ("7", "7"),
         ] {
             let (proof, found) = Key::Group.owners(own, &Index::of(&people));

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Entry;
 use super::account::{title, with_account, with_login};
-use super::index::Index;
+use super::index::{Index, once};
 use super::matching::Proof;
 use super::names::Sign;
 use super::pattern::NamePattern;
@@ -105,7 +105,7 @@ impl<'a> Names<'a> {
 /// The people that an entry may belong to, each once, and how well that is proved.
 fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
     let all: Vec<_> = entry.signs.iter().map(|sign| names.meant(sign)).collect();
-    let found = plain::once(all.iter().flat_map(|(_, found)| found.iter().copied()));
+    let found = once(all.iter().flat_map(|(_, found)| found.iter().copied()));
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
     // The name that the uploader gave a file can look like what the platform adds, as in
     // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first. But what Moodle adds,

@@ -5,8 +5,8 @@
 //! So only an id, or the part of a name that the instructor has shown by a [`NamePattern`], says whose
 //! a submission is. People who merely stand in a name are suggested to the instructor.
 
-use super::index::{Index, Kind, Match};
-use super::matching::{Proof, with_assigned};
+use super::index::{Index, Kind, Match, once};
+use super::matching::Proof;
 use super::pattern::{Key, NamePattern};
 use super::roster::Person;
 
@@ -18,7 +18,7 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
         return (Proof::Hint, suggested(own, index));
     }
     // The whole name may be an id, too.
-    let by_id = with_assigned(name, index.people);
+    let by_id = index.with_assigned(name);
     let both = once(found.iter().copied().chain(by_id));
     match both == found {
         true => (proof, found),
@@ -51,17 +51,6 @@ pub fn has_owner(name: &str, named: &NamePattern, index: &Index) -> bool {
 fn part<'n>(name: &'n str, named: &NamePattern) -> (&'n str, Key) {
     let own = named.own(name).map(|own| (own, named.key()));
     own.unwrap_or((name, Key::Id))
-}
-
-/// The same people, each once.
-pub fn once<'a>(all: impl IntoIterator<Item = &'a Person>) -> Vec<&'a Person> {
-    let mut once: Vec<&Person> = Vec::new();
-    for person in all {
-        if !once.contains(&person) {
-            once.push(person);
-        }
-    }
-    once
 }
 
 /// Whether a name may be somebody's. What people have chosen counts only if `or_chosen`.

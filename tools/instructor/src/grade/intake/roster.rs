@@ -44,13 +44,16 @@ impl Person {
         self.logins.iter().filter(|it| !it.contains('@'))
     }
 
-    /// E-mail addresses, and their parts before the `@`. On some platforms, people type them in.
+    /// E-mail addresses. On some platforms, people type them in.
+    pub fn addresses_in_full(&self) -> impl Iterator<Item = &str> {
+        let logins = self.logins.iter().map(String::as_str);
+        logins.filter(|it| it.contains('@'))
+    }
+
+    /// E-mail addresses, and their parts before the `@`.
     pub fn addresses(&self) -> impl Iterator<Item = &str> {
-        let addresses = self
-            .logins
-            .iter()
-            .filter_map(|it| Some((it, it.split_once('@')?)));
-        addresses.flat_map(|(whole, (local, _))| [whole, local])
+        let all = self.addresses_in_full();
+        all.flat_map(|it| [it, it.split_once('@').map_or(it, |(local, _)| local)])
     }
 }
 

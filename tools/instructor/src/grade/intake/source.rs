@@ -72,7 +72,8 @@ impl Source<'_> {
         let mut inside = below(&self.found);
         remove_list(&mut inside);
         let is_class = !inside.is_empty() && self.names_people(&inside);
-        if self.is_wrapped && is_class && !self.is_person(top, false) {
+        let is_owners = self.is_person(top, false) || (self.has_owner)(top);
+        if self.is_wrapped && is_class && !is_owners {
             self.found = inside;
         }
     }
