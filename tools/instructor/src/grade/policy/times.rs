@@ -164,6 +164,9 @@ impl Policy {
     /// What the table of times says about a submission or, if it doesn't name it, about the person
     /// who handed it in. `people` is the roster.
     fn in_table(&self, entry: &Entry, person: Option<&Person>, people: &[Person]) -> ListedTime {
+        if self.times.is_empty() {
+            return ListedTime::Absent;
+        }
         // Not its id, which may be another submission's name.
         let given = [entry.name.clone(), file_names::stem(&entry.name).into()];
         let of = |kind| self.lines(&given.each_ref().map(|name| (kind, name)));
