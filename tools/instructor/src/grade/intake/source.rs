@@ -118,7 +118,7 @@ impl Source<'_> {
         let is_export = 2 * given > tops.len() && !is_given(&name.to_owned());
         match is_export {
             true => (self.is_id)(file_names::stem(name)),
-            false => self.is_person(name, false),
+            false => self.is_person(name, false) || (self.has_owner)(file_names::stem(name)),
         }
     }
 
@@ -141,6 +141,10 @@ impl Source<'_> {
             return false;
         }
         let tops = tops(self.found.clone());
+        let fits = |name: &String| self.named.fits(name);
+        if (self.has_owner)(&self.name) && fits(&self.name) && !tops.keys().any(fits) {
+            return false;
+        }
         if self.people_among(tops.keys()) > 0 {
             return true;
         }

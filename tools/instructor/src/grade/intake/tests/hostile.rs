@@ -466,7 +466,7 @@ fn a_repository_with_names_of_others_in_it_brings_nobody_their_work() {
 
 #[test]
 fn accounts_that_nobody_knows_hide_no_class() {
-    let people = [Person {
+    let mut people = [Person {
         id: "1001".into(),
         github: Some("ada".into()),
         ..Person::default()
@@ -501,7 +501,19 @@ fn accounts_that_nobody_knows_hide_no_class() {
         "{:#?}",
         found.1
     );
-    // A clone may be graded again, wherever its answers are, and beside a class.
+    // As GitHub writes it.
+    let own = zip(&answers("hw1-ada-main/src/", "ada"));
+    export.put("hw1-ada-main.zip", &own);
+    let found = placed_among(&export, &["hw1-ada-main.zip"], &people, "hw1-{github}-main");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    // A clone may be graded again, wherever its answers are, and beside a class. Somebody may have
+    // the name of a folder in it.
+    people[0].name = "mine".into();
     export.put_all("hw1-ada", answers("mine/", "ada"));
     export.put_all("few/hw1-ada", answers("", "ada"));
     for paths in [&["hw1-ada"][..], &["few", "hw1-submissions.zip"]] {
