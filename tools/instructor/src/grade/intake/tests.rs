@@ -1,6 +1,7 @@
 //! Submissions as platforms export them and as people pack them.
 
 mod archives;
+mod clones;
 mod hostile;
 mod hostile_files;
 mod platforms;

@@ -1,0 +1,88 @@
+//! Clones from GitHub, which `--named` tells from a class.
+
+use super::hostile::{all_of, placed_among};
+use super::*;
+
+#[test]
+fn a_repository_with_names_of_others_in_it_brings_nobody_their_work() {
+    let github = |id: &str, login: &str| Person {
+        id: id.into(),
+        name: id.into(),
+        github: Some(login.into()),
+        ..Person::default()
+    };
+    let people = [github("1001", "ada"), github("1002", "eve")];
+    for (inside, named) in [("1001/", "hw1-{github}"), ("hw1-ada/", "hw1-{github}")] {
+        let export = Export::new();
+        export.put_all("hw1-eve", answers(inside, "mallory"));
+        export.put("hw1-eve.zip", &zip(&answers(inside, "mallory")));
+        let wrapped = answers(&format!("hw1-eve/{inside}"), "mallory");
+        export.put("clones.zip", &zip(&wrapped));
+        for path in ["hw1-eve", "hw1-eve.zip", "clones.zip"] {
+            let found = placed_among(&export, &[path], &people, named);
+            assert_eq!(all_of(&found, "1001"), [""; 0], "{:#?}", found.1);
+            let told = found.0.entries.iter().any(|entry| !entry.doubts.is_empty());
+            let is_hers = all_of(&found, "1002").len() == 1;
+            assert!(told || is_hers, "{:#?}", found.0);
+        }
+    }
+}
+
+#[test]
+fn accounts_that_nobody_knows_hide_no_class() {
+    let mut people = [Person {
+        id: "1001".into(),
+        github: Some("ada".into()),
+        ..Person::default()
+    }];
+    let export = Export::new();
+    let mut all = answers("hw1-ada/src/", "ada");
+    all.extend((0..4).flat_map(|k| answers(&format!("hw1-zz{k}/src/"), "mallory")));
+    for top in ["", "hw1-submissions/"] {
+        let wrapped = all
+            .iter()
+            .map(|(path, text)| (format!("{top}{path}"), text.clone()));
+        export.put("hw1-submissions.zip", &zip(&wrapped.collect::<Vec<_>>()));
+        let found = placed_among(&export, &["hw1-submissions.zip"], &people, "hw1-{github}");
+        assert_eq!(
+            all_of(&found, "1001"),
+            ["// sphere by ada"],
+            "{:#?}",
+            found.1
+        );
+        assert_eq!(found.1.unknown.len(), 4, "{:#?}", found.1);
+    }
+    // What stands behind a login may do so before the ending of an archive.
+    let clones = ["ada", "zz1", "zz2", "zz3"].map(|login| {
+        let clone = zip(&answers("", login));
+        (format!("hw1-{login}-main.zip"), clone)
+    });
+    export.put("clones.zip", &zip(&clones));
+    let found = placed_among(&export, &["clones.zip"], &people, "hw1-{github}-main");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    // As GitHub writes it.
+    let own = zip(&answers("hw1-ada-main/src/", "ada"));
+    export.put("hw1-ada-main.zip", &own);
+    let found = placed_among(&export, &["hw1-ada-main.zip"], &people, "hw1-{github}-main");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    // A clone may be graded again, wherever its answers are, and beside a class. Somebody may have
+    // the name of a folder in it.
+    people[0].name = "mine".into();
+    export.put_all("hw1-ada", answers("mine/", "ada"));
+    export.put_all("few/hw1-ada", answers("", "ada"));
+    for paths in [&["hw1-ada"][..], &["few", "hw1-submissions.zip"]] {
+        let found = placed_among(&export, paths, &people, "hw1-{github}");
+        let all = all_of(&found, "1001");
+        assert_eq!(all[0], "// sphere by ada", "{:#?}", found.1);
+    }
+}
