@@ -30,11 +30,17 @@ fn a_repository_with_names_of_others_in_it_brings_nobody_their_work() {
 
 #[test]
 fn accounts_that_nobody_knows_hide_no_class() {
-    let mut people = [Person {
-        id: "1001".into(),
-        github: Some("ada".into()),
-        ..Person::default()
-    }];
+    let mut people = [
+        Person {
+            id: "1001".into(),
+            github: Some("ada".into()),
+            ..Person::default()
+        },
+        Person {
+            id: "1002".into(),
+            ..Person::default()
+        },
+    ];
     let export = Export::new();
     let mut all = answers("hw1-ada/src/", "ada");
     all.extend((0..4).flat_map(|k| answers(&format!("hw1-zz{k}/src/"), "mallory")));
@@ -75,6 +81,11 @@ fn accounts_that_nobody_knows_hide_no_class() {
         "{:#?}",
         found.1
     );
+    // A class's folder may be called like a clone. Then nobody is certain.
+    export.put_all("hw1-ada/1002", answers("", "bob"));
+    let found = placed_among(&export, &["hw1-ada"], &people, "hw1-{github}");
+    assert!(found.1.of.is_empty(), "{:#?}", found.1);
+    fs::remove_dir_all(export.path("hw1-ada")).expect("it is there");
     // A clone may be graded again, wherever its answers are, and beside a class. Somebody may have
     // the name of a folder in it.
     people[0].name = "mine".into();
