@@ -142,8 +142,8 @@ struct TopNames {
     inside: BTreeSet<Option<String>>,
 }
 
-/// Longer names are not a platform's.
-const LONGEST_NAME: usize = 1000;
+/// Longer names are not a platform's: each of two parts may have 255 characters of four bytes.
+const LONGEST_NAME: usize = 2300;
 
 impl TopNames {
     /// Adds the names in the path of a file, or the name of anything at the top. Returns how many

@@ -78,6 +78,25 @@ fn many_answers(folder: &str) -> Files {
 }
 
 #[test]
+fn one_person_does_not_fill_a_class_by_long_names() {
+    let export = Export::new();
+    // Canvas allows names of 255 characters.
+    let long = "\u{20000}".repeat(248);
+    let many = zip(&(0..5)
+        .flat_map(|k| many_answers(&format!("{k}")))
+        .collect::<Vec<_>>());
+    let upload = |k: usize| (format!("malleteve_13_{}_{long}.zip", 600 + k), many.clone());
+    let mut all: Vec<_> = (0..36).map(upload).collect();
+    all.push(("noycebob_12_501_hw.zip".into(), zip(&answers("", "bob"))));
+    all.push(("zornzed_14_502_hw.zip".into(), zip(&answers("", "bob"))));
+    export.put("class.zip", &zip(&all));
+    let intake = export.find("class.zip");
+    let names: Vec<&str> = intake.entries.iter().map(|it| &*it.name).collect();
+    assert_eq!(names, ["malleteve_13", "noycebob_12", "zornzed_14"]);
+    assert_eq!(text(&intake, 1, "sphere"), "// sphere by bob");
+}
+
+#[test]
 fn many_archives_of_one_person_are_limited_together() {
     let export = Export::new();
     for k in 10..30 {
