@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::matching::Proof;
 use super::names::{self, Platform, PlatformName, Sign};
+use super::pattern::NamePattern;
 use super::reader::{Content, FoundFile, file_names};
 
 /// What one person handed in.
@@ -61,14 +62,36 @@ pub fn tops(found: Vec<FoundFile>) -> Tops {
 
 /// The key under which files are collected. If the name is a platform's, it is what the
 /// platform calls the submission. Otherwise, it is the whole name.
-pub fn account(name: &str) -> String {
-    names::reading(name, None).map_or(name.into(), |it| it.submission)
+pub fn account(name: &str, named: &NamePattern) -> String {
+    reading(name, None, named).map_or(name.into(), |it| it.submission)
+}
+
+/// All ways to read a name as a platform's. What the instructor says of names outweighs these.
+fn readings<'n>(
+    name: &'n str,
+    from: Option<Platform>,
+    named: &NamePattern,
+) -> Vec<PlatformName<'n>> {
+    match named.fits(file_names::stem(name)) {
+        true => Vec::new(),
+        false => names::readings(name, from),
+    }
+}
+
+/// The only one of these ways.
+fn reading<'n>(
+    name: &'n str,
+    from: Option<Platform>,
+    named: &NamePattern,
+) -> Option<PlatformName<'n>> {
+    let mut all = readings(name, from, named);
+    all.pop().filter(|_| all.is_empty())
 }
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they
 /// can prove. The name of an archive may be its author's choice, unless it comes from this platform.
-pub fn signs(name: &str, from: Option<Platform>) -> (Vec<Sign>, Proof) {
-    let platforms = names::readings(name, from);
+pub fn signs(name: &str, from: Option<Platform>, named: &NamePattern) -> (Vec<Sign>, Proof) {
+    let platforms = readings(name, from, named);
     let is_archive = file_names::is_archive(name);
     let is_given = platforms.iter().any(|it| Some(it.platform) == from);
     let at_most = match is_archive && !is_given {
@@ -88,15 +111,16 @@ pub fn signs(name: &str, from: Option<Platform>) -> (Vec<Sign>, Proof) {
 }
 
 /// Divides the files of a class among its people.
-pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
+pub fn of_class(tops: Tops, named: &NamePattern) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let platform = names::exported_by(tops.keys());
+    let others = tops.keys().filter(|top| !named.fits(file_names::stem(top)));
+    let platform = names::exported_by(others);
     let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
         let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
-        let name = match &names::readings(&top, platform)[..] {
+        let name = match &readings(&top, platform, named)[..] {
             [only] => only.submission.clone(),
             [] if !found.iter().any(holds) => {
                 let is_settings = top.starts_with('.') && !top.ends_with('/');
@@ -110,11 +134,11 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
     let accounts: BTreeSet<String> = all.keys().cloned().collect();
     let may_be_later = |hand_in: &HandIn| {
         let name = &hand_in.name;
-        let mut others = names::readings(name, platform).into_iter();
+        let mut others = readings(name, platform, named).into_iter();
         others.any(|it| it.submission != *name && accounts.contains(&it.submission))
     };
     let all = all.into_iter().map(|(name, parts)| {
-        let mut hand_in = of_one(name, platform, parts);
+        let mut hand_in = of_one(name, platform, named, parts);
         if may_be_later(&hand_in) {
             let why = "it may be a later upload by the same person as another submission; of a person's \
                        uploads, only the newest is graded";
@@ -130,15 +154,16 @@ pub fn of_class(tops: Tops) -> (Vec<HandIn>, Vec<String>) {
 fn of_one(
     name: String,
     platform: Option<Platform>,
+    named: &NamePattern,
     parts: Vec<(String, Vec<FoundFile>)>,
 ) -> HandIn {
-    let order = |top: &str| names::reading(top, platform).map_or(0, |it| it.upload);
+    let order = |top: &str| reading(top, platform, named).map_or(0, |it| it.upload);
     let archives = parts.iter().map(|(top, _)| top);
     let newest = archives
         .filter(|top| file_names::is_archive(top))
         .map(|top| order(top))
         .max();
-    let (signs, at_most) = signs(&parts[0].0, platform);
+    let (signs, at_most) = signs(&parts[0].0, platform, named);
     let mut hand_in = HandIn {
         signs,
         at_most,
@@ -156,7 +181,7 @@ fn of_one(
             continue;
         }
         hand_in.given.push(top.clone());
-        let rest = names::reading(&top, platform).map_or(top.clone(), |it| it.rest.into());
+        let rest = reading(&top, platform, named).map_or(top.clone(), |it| it.rest.into());
         let uploads = found.into_iter().map(|found| Upload {
             path: match (found.path.len(), &found.content) {
                 (1, Content::Answer { .. } | Content::Other) => vec![rest.clone()],

@@ -46,7 +46,7 @@ impl Source<'_> {
             }
             _ => None,
         };
-        let (mut all, ignored) = hand_in::of_class(tops(self.found));
+        let (mut all, ignored) = hand_in::of_class(tops(self.found), self.named);
         for hand_in in &mut all {
             let is_plain = matches!(hand_in.signs[..], [Sign::Plain(_)]);
             hand_in.at_most = match (self.is_archive, self.is_only) {
@@ -205,7 +205,7 @@ impl Source<'_> {
             order: 0,
             content: found.content,
         };
-        let (signs, mut at_most) = signs(&self.name, None);
+        let (signs, mut at_most) = signs(&self.name, None, self.named);
         // Its author may have chosen a name like a platform's.
         if self.is_archive {
             at_most = at_most.min(Proof::Name);
@@ -214,7 +214,7 @@ impl Source<'_> {
             signs,
             at_most,
             doubts,
-            name: account(&self.name),
+            name: account(&self.name, self.named),
             platform: None,
             given: vec![self.name],
             uploads: self.found.into_iter().map(upload).collect(),

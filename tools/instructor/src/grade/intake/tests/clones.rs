@@ -97,3 +97,39 @@ fn accounts_that_nobody_knows_hide_no_class() {
         assert_eq!(all[0], "// sphere by ada", "{:#?}", found.1);
     }
 }
+
+#[test]
+fn a_pattern_outweighs_what_looks_like_a_platforms_name() {
+    let people = ["ada", "bob"].map(|login| Person {
+        id: format!("id of {login}"),
+        github: Some(login.into()),
+        number: Some(if login == "ada" { "101" } else { "2026" }.into()),
+        ..Person::default()
+    });
+    let export = Export::new();
+    // Canvas writes numbers in this way.
+    export.put_all("class/cs_101_2026_hw1-ada", answers("", "ada"));
+    export.put_all("class/cs_101_2026_hw1-bob", answers("", "bob"));
+    let found = placed_among(&export, &["class"], &people, "cs_101_2026_hw1-{github}");
+    assert_eq!(
+        all_of(&found, "id of ada"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    assert_eq!(
+        all_of(&found, "id of bob"),
+        ["// sphere by bob"],
+        "{:#?}",
+        found.1
+    );
+    assert!(found.1.by_name.is_empty(), "{:#?}", found.1);
+    let path = "class/cs_101_2026_hw1-bob";
+    let found = placed_among(&export, &[path], &people, "cs_101_2026_hw1-{github}");
+    assert_eq!(
+        all_of(&found, "id of bob"),
+        ["// sphere by bob"],
+        "{:#?}",
+        found.1
+    );
+}
