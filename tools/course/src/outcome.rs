@@ -205,14 +205,6 @@ pub struct SceneOutcome {
     pub diagnosis: Diagnosis,
 }
 
-impl SceneOutcome {
-    /// Whether it took so long that it may be stopped when it is graded: unless told otherwise, `grade`
-    /// allows 4 s of processor time, or more if the reference is slow.
-    pub fn is_slow(&self) -> bool {
-        self.seconds.is_some_and(|seconds| seconds > 4.0)
-    }
-}
-
 impl Outcome {
     /// An outcome without anything asked yet.
     pub fn new(assignment: &str, submission: String, sandbox: &str) -> Outcome {

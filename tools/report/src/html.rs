@@ -64,6 +64,8 @@ pub struct Report {
     /// What the student's code printed.
     pub printed: Vec<String>,
     pub more_printed: usize,
+    /// What to say of so much output.
+    pub on_printed: Option<&'static str>,
     /// The command that repeats the examination.
     pub command: String,
     /// The book's address on the machine that will show this page.
@@ -157,6 +159,7 @@ impl Report {
                 .collect(),
             scenes: scenes.collect::<Result<_>>()?,
             more_printed: lines.len().saturating_sub(MOST_PRINTED_LINES),
+            on_printed: terminal::on_much_output(&outcome.printed),
             printed: lines.into_iter().take(MOST_PRINTED_LINES).collect(),
             command: again.whole.clone(),
             book: None,
@@ -179,6 +182,7 @@ impl Report {
             tasks: Vec::new(),
             printed: Vec::new(),
             more_printed: 0,
+            on_printed: None,
             command: section.command.clone(),
             book: None,
             finish: None,
@@ -257,7 +261,14 @@ impl JudgedScene<'_> {
             rays,
             own_rays: SubmittedRays::of(&cast.rays, rays.as_ref()),
             beliefs: Beliefs::of(&result.diagnosis, self.told),
-            remarks: terminal::remarks(self.examination, result, cast),
+            remarks: match passes {
+                true => Vec::new(),
+                false => {
+                    let note = terminal::note(cast).into_iter();
+                    note.chain(terminal::remarks(self.examination, cast))
+                        .collect()
+                }
+            },
             command: format!(
                 "{} --scene {}",
                 self.again.part,

@@ -13,6 +13,7 @@ use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 
 use crate::escape::printable;
+use pinhole::ask::MOST_PRINTED;
 use pinhole_course::outcome::{Examination, TaskOutcome};
 pub use scenes::{explain, note, remarks, worst_pixel};
 pub use words::{
@@ -113,8 +114,18 @@ pub fn printed(printed: &str) -> String {
                 format!("  … and {} more lines", lines.len() - MOST_PRINTED_LINES),
             );
         }
+        if let Some(remark) = on_much_output(printed) {
+            line(&mut text, format!("  {remark}"));
+        }
     }
     text
+}
+
+/// What to say of code that prints so much that it may be too slow to be graded.
+pub fn on_much_output(printed: &str) -> Option<&'static str> {
+    let remark = "Printing so much takes time, and code is stopped after a few seconds when it is graded. \
+                  Remove this before you hand in.";
+    (printed.len() >= MOST_PRINTED).then_some(remark)
 }
 
 fn line(text: &mut String, line: String) {

@@ -30,43 +30,28 @@ pub fn rows(text: &mut String, examination: &Examination, width: usize) {
         let points = (scene.points, scene.possible);
         row(text, &scene.name, width, points, said);
         scene_rows(text, scene, film, &outcome.submission, &mut told);
-        for remark in remarks(examination, scene, film) {
-            let is_said_once = remark.starts_with(NOTE) || remark == SLOW;
-            if !is_said_once || told.insert(remark.clone()) {
+        if !scene.outcome.passes() {
+            let note = note(film).filter(|note| told.insert(note.clone()));
+            for remark in note.into_iter().chain(remarks(examination, film)) {
                 line(text, format!("    {remark}"));
             }
         }
     }
 }
 
-/// What the hints about a pixel without a usable answer begin with.
-const NOTE: &str = "note: ";
-
-/// What people should know about a scene: a hint about a pixel without a usable answer; what is
-/// remarkable in the answers that a failing scene needs, although they pass their tasks; and whether a
-/// scene that passes may be too slow.
-pub fn remarks(examination: &Examination, scene: &SceneOutcome, film: &SceneFilm) -> Vec<String> {
-    if scene.outcome.passes() {
-        return match scene.is_slow() {
-            true => vec![SLOW.to_owned()],
-            false => Vec::new(),
-        };
-    }
-    let suspects = examination.suspects(film).into_iter();
-    let suspects =
-        suspects.map(|(task, finding)| format!("The task `{task}` passes, but: {}", finding.says));
-    note(film).into_iter().chain(suspects).collect()
-}
-
 /// A hint about the pixel without a usable answer.
 pub fn note(film: &SceneFilm) -> Option<String> {
     let note = film.unanswered?.note?;
-    Some(format!("{NOTE}{note}"))
+    Some(format!("note: {note}"))
 }
 
-/// What is said about a scene that passes, but took long.
-const SLOW: &str = "When it is graded, a scene that takes so long may be stopped after 4 s of processor \
-                    time. Does your code print something for each ray?";
+/// What is remarkable in the answers that a failing scene needs, although they pass their tasks.
+pub fn remarks(examination: &Examination, film: &SceneFilm) -> Vec<String> {
+    let suspects = examination.suspects(film).into_iter();
+    suspects
+        .map(|(task, finding)| format!("The task `{task}` passes, but: {}", finding.says))
+        .collect()
+}
 
 fn scene_rows(
     text: &mut String,
