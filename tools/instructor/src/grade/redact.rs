@@ -117,6 +117,7 @@ impl Withheld {
         if self.any() || groups.any(|group| group.fails_fresh) {
             report.printed.clear();
             report.more_printed = 0;
+            report.on_printed = None;
         }
     }
 }

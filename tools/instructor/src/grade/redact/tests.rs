@@ -88,6 +88,7 @@ fn empty_report() -> Report {
         scenes: Vec::new(),
         printed: Vec::new(),
         more_printed: 0,
+        on_printed: None,
         command: String::new(),
         book: None,
         finish: None,
@@ -197,6 +198,7 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
                 scenes: outcome.scenes.iter().map(section).collect(),
                 printed: vec!["words".into()],
                 more_printed: 1,
+                on_printed: Some("much"),
                 ..empty_report()
             };
             withheld.redact_report(&mut report, &outcome);
@@ -210,7 +212,8 @@ fn a_report_shows_as_much_of_a_withheld_scene_as_its_outcome() {
             let has_remark = |scene: usize| !report.scenes[scene].remarks.is_empty();
             let shows = !withheld.any() || reveal == Reveal::Full;
             assert_eq!([has_remark(0), has_remark(1)], [shows, true], "{reveal:?}");
-            let printed = (report.printed.is_empty(), report.more_printed == 0);
+            let more = (report.more_printed, report.on_printed);
+            let printed = (report.printed.is_empty(), more == (0, None));
             assert_eq!(printed, (withheld.any(), withheld.any()), "{reveal:?}");
         }
     }
