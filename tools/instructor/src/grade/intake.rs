@@ -145,6 +145,10 @@ pub fn find(
         let index = index.as_ref();
         index.is_some_and(|it| plain::has_owner(name, &named, it))
     };
+    let names_another = |inside: &str, clone: &str| {
+        let index = index.as_ref();
+        index.is_some_and(|it| plain::names_another(inside, clone, &named, it))
+    };
     let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();
     let is_answer =
         |name: &str| is_wanted(name) || names::platforms(name).iter().any(|it| is_wanted(it.rest));
@@ -178,6 +182,7 @@ pub fn find(
             named: &named,
             is_id: &is_id,
             has_owner: &has_owner,
+            names_another: &names_another,
         };
         source.unwrap();
         sources.push(source);

@@ -46,6 +46,15 @@ pub fn has_owner(name: &str, named: &NamePattern, index: &Index) -> bool {
     !key.owners(own, index).1.is_empty()
 }
 
+/// Whether somebody stands in the name of a folder who doesn't own the clone around it. Folders that
+/// are named after ids may hold any names.
+pub fn names_another(inside: &str, clone: &str, named: &NamePattern, index: &Index) -> bool {
+    let (own, key) = part(clone, named);
+    let (_, owners) = key.owners(own, index);
+    let mut all = suggested(inside, index).into_iter();
+    key != Key::Id && !owners.is_empty() && all.any(|it| !owners.contains(&it))
+}
+
 /// The part of a name that says whose it is, and how. If a name doesn't have the pattern, the
 /// instructor may have named a folder after an id.
 fn part<'n>(name: &'n str, named: &NamePattern) -> (&'n str, Key) {

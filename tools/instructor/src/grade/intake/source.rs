@@ -27,6 +27,9 @@ pub struct Source<'a> {
     pub is_id: &'a dyn Fn(&str) -> bool,
     /// Whether this name says whose a submission is: see [`has_owner`](super::plain::has_owner).
     pub has_owner: &'a dyn Fn(&str) -> bool,
+    /// Whether the first name is that of somebody else than the owner of the second: see
+    /// [`names_another`](super::plain::names_another).
+    pub names_another: &'a dyn Fn(&str, &str) -> bool,
 }
 
 /// The folders at the top of the course's repository. They are not submissions.
@@ -196,7 +199,11 @@ impl Source<'_> {
     pub fn whole(self) -> HandIn {
         let holding = self.holding();
         let mut doubts = Vec::new();
-        if holding.len() > 1 || self.holds_answers() && !holding.is_empty() {
+        let stem = file_names::stem(&self.name);
+        let mut tops = holding.iter().map(|top| file_names::stem(top));
+        let names_others = tops.any(|top| (self.names_another)(top, stem));
+        let has_others = names_others || self.holds_answers() && !holding.is_empty();
+        if holding.len() > 1 || has_others {
             let holding = file_names::quoted(&holding).join(", ");
             doubts.push(format!("other submissions may be in it: {holding}"));
         }

@@ -91,6 +91,18 @@ fn accounts_that_nobody_knows_hide_no_class() {
     people[0].name = "mine".into();
     export.put_all("hw1-ada", answers("mine/", "ada"));
     export.put_all("few/hw1-ada", answers("", "ada"));
+    for (id, is_hers) in [("1001", true), ("1002", false)] {
+        let found = placed_among(&export, &["hw1-ada"], &people, "hw1-{github}");
+        assert_eq!(
+            found.0.entries[0].doubts.is_empty(),
+            is_hers,
+            "{id}: {:#?}",
+            found.0
+        );
+        // Now somebody else has this name.
+        people[0].name = "Ada Lovelace".into();
+        people[1].name = "mine".into();
+    }
     for paths in [&["hw1-ada"][..], &["few", "hw1-submissions.zip"]] {
         let found = placed_among(&export, paths, &people, "hw1-{github}");
         let all = all_of(&found, "1001");
