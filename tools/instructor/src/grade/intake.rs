@@ -131,24 +131,8 @@ pub fn find(
     people: Option<&[Person]>,
     named: Option<&NamePattern>,
 ) -> Result<Intake> {
-    let index = people.map(Index::of);
+    let index = Index::of(people.unwrap_or_default());
     let named = named.cloned().unwrap_or_default();
-    let is_on_roster = |name: &str, or_chosen: bool| {
-        let index = index.as_ref();
-        index.is_some_and(|it| plain::is_somebody(name, it, or_chosen))
-    };
-    let is_id = |name: &str| {
-        let index = index.as_ref();
-        index.is_some_and(|it| !it.with_assigned(name).is_empty())
-    };
-    let has_owner = |name: &str| {
-        let index = index.as_ref();
-        index.is_some_and(|it| plain::has_owner(name, &named, it))
-    };
-    let names_another = |inside: &str, clone: &str| {
-        let index = index.as_ref();
-        index.is_some_and(|it| plain::names_another(inside, clone, &named, it))
-    };
     let is_wanted = |name: &str| task_names::file_of(name, assignment).is_some();
     let is_answer =
         |name: &str| is_wanted(name) || names::platforms(name).iter().any(|it| is_wanted(it.rest));
@@ -178,11 +162,8 @@ pub fn find(
             is_wrapped: found.is_wrapped,
             is_only: paths.len() == 1,
             found: found.files,
-            is_on_roster: &is_on_roster,
             named: &named,
-            is_id: &is_id,
-            has_owner: &has_owner,
-            names_another: &names_another,
+            index: &index,
         };
         source.unwrap();
         sources.push(source);

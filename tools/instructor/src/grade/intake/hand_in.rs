@@ -84,8 +84,7 @@ fn reading<'n>(
     from: Option<Platform>,
     named: &NamePattern,
 ) -> Option<PlatformName<'n>> {
-    let mut all = readings(name, from, named);
-    all.pop().filter(|_| all.is_empty())
+    names::only(readings(name, from, named))
 }
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they

@@ -260,7 +260,11 @@ pub fn readings(name: &str, from: Option<Platform>) -> Vec<PlatformName<'_>> {
 
 /// The only one of these ways.
 pub fn reading(name: &str, from: Option<Platform>) -> Option<PlatformName<'_>> {
-    let mut all = readings(name, from);
+    only(readings(name, from))
+}
+
+/// The first of these ways, if there is no other.
+pub fn only(mut all: Vec<PlatformName<'_>>) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
 

@@ -4,9 +4,11 @@
 use std::collections::BTreeSet;
 
 use super::hand_in::{self, HandIn, Upload, account, signs, tops};
+use super::index::Index;
 use super::matching::Proof;
 use super::names::{self, Platform, Sign};
 use super::pattern::NamePattern;
+use super::plain;
 use super::reader::{Content, FoundFile, file_names};
 
 /// A path on the command line, and what was found there.
@@ -18,18 +20,10 @@ pub struct Source<'a> {
     /// Whether no other path was named.
     pub is_only: bool,
     pub found: Vec<FoundFile>,
-    /// Whether this name may be that of somebody on the roster: see
-    /// [`is_somebody`](super::plain::is_somebody).
-    pub is_on_roster: &'a dyn Fn(&str, bool) -> bool,
     /// How submissions are named.
     pub named: &'a NamePattern,
-    /// Whether somebody on the roster has this id or login.
-    pub is_id: &'a dyn Fn(&str) -> bool,
-    /// Whether this name says whose a submission is: see [`has_owner`](super::plain::has_owner).
-    pub has_owner: &'a dyn Fn(&str) -> bool,
-    /// Whether the first name is that of somebody else than the owner of the second: see
-    /// [`names_another`](super::plain::names_another).
-    pub names_another: &'a dyn Fn(&str, &str) -> bool,
+    /// Everybody on the roster; nobody without one.
+    pub index: &'a Index<'a>,
 }
 
 /// The folders at the top of the course's repository. They are not submissions.
@@ -41,7 +35,7 @@ impl Source<'_> {
     /// that person's name, or beside other paths, above all if not all of them are classes
     /// (`are_classes`).
     pub fn of_class(self, are_classes: bool) -> (Vec<HandIn>, Vec<String>) {
-        let has_owner = (self.has_owner)(file_names::stem(&self.name));
+        let has_owner = self.has_owner(file_names::stem(&self.name));
         let doubt = match (has_owner, are_classes) {
             (true, _) => Some("its own name is a person's; if it is a class, rename it"),
             (_, false) => {
@@ -75,17 +69,27 @@ impl Source<'_> {
         let mut inside = below(&self.found);
         remove_list(&mut inside);
         let is_class = !inside.is_empty() && self.names_people(&inside);
-        let is_owners = self.is_person(top, false) || (self.has_owner)(top);
+        let is_owners = self.is_person(top, false) || self.has_owner(top);
         if self.is_wrapped && is_class && !is_owners {
             self.found = inside;
         }
+    }
+
+    /// Whether somebody on the roster has this id or login.
+    fn is_id(&self, name: &str) -> bool {
+        !self.index.with_assigned(name).is_empty()
+    }
+
+    /// Whether this name says whose a submission is.
+    fn has_owner(&self, name: &str) -> bool {
+        plain::has_owner(name, self.named, self.index)
     }
 
     /// Whether a name may be a person's. What people have chosen counts only if `or_chosen`.
     fn is_person(&self, name: &str, or_chosen: bool) -> bool {
         let stem = file_names::stem(name);
         let is_of_repository = REPOSITORY.contains(&name);
-        let is_on_roster = !is_of_repository && (self.is_on_roster)(stem, or_chosen);
+        let is_on_roster = !is_of_repository && plain::is_somebody(stem, self.index, or_chosen);
         is_on_roster || !names::platforms(name).is_empty()
     }
 
@@ -120,8 +124,8 @@ impl Source<'_> {
         let given = tops.iter().filter(|top| is_given(top)).count();
         let is_export = 2 * given > tops.len() && !is_given(&name.to_owned());
         match is_export {
-            true => (self.is_id)(file_names::stem(name)),
-            false => self.is_person(name, false) || (self.has_owner)(file_names::stem(name)),
+            true => self.is_id(file_names::stem(name)),
+            false => self.is_person(name, false) || self.has_owner(file_names::stem(name)),
         }
     }
 
@@ -140,7 +144,7 @@ impl Source<'_> {
         // One person's folder may contain folders with names of others. But somebody may have
         // chosen the name of the class's folder. That folder contains no answers itself, so it is
         // still a class.
-        if (self.is_id)(&self.name) || self.holds_answers() && self.is_person(&self.name, true) {
+        if self.is_id(&self.name) || self.holds_answers() && self.is_person(&self.name, true) {
             return false;
         }
         let tops = tops(self.found.clone());
@@ -148,16 +152,16 @@ impl Source<'_> {
         let is_given = |name: &String| {
             let stem = file_names::stem(name);
             let is_platforms = !names::platforms(name).is_empty();
-            self.named.fits(stem) || (self.is_id)(stem) || is_platforms
+            self.named.fits(stem) || self.is_id(stem) || is_platforms
         };
-        let is_clone = self.named.fits(&self.name) && (self.has_owner)(&self.name);
+        let is_clone = self.named.fits(&self.name) && self.has_owner(&self.name);
         if is_clone && !tops.keys().any(is_given) {
             return false;
         }
         if self.people_among(tops.keys()) > 0 {
             return true;
         }
-        if self.is_person(&self.name, false) || (self.has_owner)(&self.name) {
+        if self.is_person(&self.name, false) || self.has_owner(&self.name) {
             return false;
         }
         let holding = self.holding().len();
@@ -201,7 +205,7 @@ impl Source<'_> {
         let mut doubts = Vec::new();
         let stem = file_names::stem(&self.name);
         let mut tops = holding.iter().map(|top| file_names::stem(top));
-        let names_others = tops.any(|top| (self.names_another)(top, stem));
+        let names_others = tops.any(|top| plain::names_another(top, stem, self.named, self.index));
         let has_others = names_others || self.holds_answers() && !holding.is_empty();
         if holding.len() > 1 || has_others {
             let holding = file_names::quoted(&holding).join(", ");

@@ -202,7 +202,7 @@ fn a_persons_name_counts_if_the_instructor_says_so_but_is_listed() {
     people[3].name = "Bob Babbage".into();
     people[3].group = Some("7".into());
     let found = whose_named("{name}", &["Bob Babbage", "7"], &people);
-    assert_eq!(found, "[23][3]", "a group's number is no name");
+    assert_eq!(found, "[23][3]", "a group's number is not a name");
 }
 
 #[test]
