@@ -154,17 +154,19 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
         }
     }
     for (_, mut all) in of {
-        // What a platform or the instructor says outweighs a name, and two accounts with one name
-        // belong to two people.
-        let best = all.iter().map(|(proof, ..)| *proof).max();
-        let strongest = all.iter().filter(|(proof, ..)| Some(*proof) == best);
-        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[0] {
-            Sign::Account { number, .. } => Some(number.clone()),
-            Sign::Login(name) | Sign::Plain(name) => (*proof == Proof::Name).then(|| name.clone()),
+        // What a platform or the instructor says outweighs a name, and a name with one meaning outweighs
+        // one with several. Two accounts with one name belong to two people.
+        let rank = |(proof, entry, _): &(Proof, &Entry, &Person)| (*proof, entry.signs.len() == 1);
+        let best = all.iter().map(rank).max();
+        let strongest = all.iter().filter(|it| Some(rank(it)) == best);
+        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[..] {
+            [Sign::Account { number, .. }] => Some(number),
+            [Sign::Login(name) | Sign::Plain(name)] => (*proof == Proof::Name).then_some(name),
+            // It may be anybody's.
+            _ => Some(&entry.id),
         });
         let is_one = accounts.collect::<BTreeSet<_>>().len() < 2;
-        let is_weak = |proof: Proof| Some(proof) != best || !is_one;
-        for (_, entry, person) in all.extract_if(.., |it| is_weak(it.0)) {
+        for (_, entry, person) in all.extract_if(.., |it| Some(rank(it)) != best || !is_one) {
             let person = vec![person.clone()];
             placed.ambiguous.insert(entry.id.clone(), person);
         }

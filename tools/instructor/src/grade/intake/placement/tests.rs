@@ -309,7 +309,19 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
         assert_eq!(placed.of[names[1]].id, "s1");
         assert!(placed.ambiguous.contains_key(names[0]), "{placed:?}");
         assert!(placed.in_doubt().iter().all(|person| person.id != "s1"));
+        // Beside single submissions, even the platform's number proves less.
+        let mut all = entries(&names);
+        all.iter_mut().for_each(|it| it.at_most = Proof::Name);
+        let placed = place(&all, Some(&people), &NamePattern::default());
+        assert_eq!(placed.by_name, [names[1]], "{placed:?}");
     }
+    let both = [name, "lovelaceada_11_99_777_hw.zip"];
+    let placed = place(&entries(&both), Some(&people), &NamePattern::default());
+    assert!(
+        placed.of.is_empty(),
+        "nobody knows which is hers: {placed:?}"
+    );
+    assert_eq!(placed.ambiguous.len(), 2);
 }
 
 #[test]
