@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::index::{Index, Kind, once, words};
-use super::matching::{Proof, folded, unaccented};
+use super::matching::{Proof, is_group, unaccented};
 use super::pattern::Key;
 use super::roster::Person;
 
@@ -17,19 +17,15 @@ pub fn with_account<'a>(
     may_be_group: bool,
     index: &Index<'a>,
 ) -> (Proof, Vec<&'a Person>) {
-    let group = folded(name);
-    let is_in_group = |it: &Person| {
-        let own = it.group.as_deref().map(folded);
-        own.is_some_and(|own| !own.is_empty() && own == group)
-    };
     let mut people = index.people.iter();
     if let Some(person) = people.find(|it| it.number.as_deref() == Some(number)) {
         let mut named = index.whole(name).filter(|(_, kind)| kind.is_name());
         // A group may be named by a number.
-        let is_named = named.any(|(it, _)| it == person) && !(may_be_group && is_in_group(person));
+        let is_named =
+            named.any(|(it, _)| it == person) && !(may_be_group && is_group(name, person));
         // A group may have the name of the person whose number it has, or a word of it.
         let mut others = index.people.iter();
-        let of_group = others.find(|it| may_be_group && is_in_group(it) && *it != person);
+        let of_group = others.find(|it| may_be_group && is_group(name, it) && *it != person);
         let proof = match (is_named || share_word(name, &person.name), may_be_group) {
             (true, false) => Proof::Id,
             (true, true) if is_named && of_group.is_none() => Proof::Id,
@@ -41,12 +37,12 @@ pub fn with_account<'a>(
         return (proof, [person].into_iter().chain(of_group).collect());
     }
     // People may have chosen an address like somebody's name.
-    let is_called = |it: &Person, kind: Kind| kind.is_name() || may_be_group && is_in_group(it);
+    let is_called = |it: &Person, kind: Kind| kind.is_name() || may_be_group && is_group(name, it);
     let by_name = index.whole(name);
     let by_name = by_name.filter(|(it, kind)| is_called(it, *kind));
     let by_name = by_name.map(|(person, _)| person);
     // On Moodle, the number is the group's.
-    let is_free = |it: &Person| it.number.is_none() || may_be_group && is_in_group(it);
+    let is_free = |it: &Person| it.number.is_none() || may_be_group && is_group(name, it);
     let by_name: Vec<&Person> = by_name.filter(|it| is_free(it)).collect();
     // A number in a name may equal somebody else's id by chance.
     let by_id = index.people.iter();

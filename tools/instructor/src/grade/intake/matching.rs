@@ -52,10 +52,18 @@ pub fn is_name(name: &str, person: &Person) -> bool {
         .is_some_and(|name| ways.contains(name))
 }
 
+/// Whether this is the name of the person's group.
+pub fn is_group(name: &str, person: &Person) -> bool {
+    let group = person.group.as_deref().map(folded);
+    group.is_some_and(|it| !it.is_empty() && it == folded(name))
+}
+
 /// Whether a number that a platform wrote beside this name is the person's. If it may be a group's
-/// number, the name must be the person's too, because somebody else may have the same number.
+/// number, the name must be the person's too, and not the group's, because somebody else may have the
+/// same number.
 pub fn is_own_number(number: &str, name: &str, may_be_group: bool, person: &Person) -> bool {
-    !may_be_group || person.number.as_deref() == Some(number) || is_name(name, person)
+    let is_named = is_name(name, person) && !is_group(name, person);
+    !may_be_group || person.number.as_deref() == Some(number) || is_named
 }
 
 /// How well a sign proves who handed something in.

@@ -94,8 +94,8 @@ impl PlatformName<'_> {
     /// All ways to read a name as Canvas writes it. A person's name there may contain `_` and
     /// numbers, and so look like somebody else's name.
     fn canvas(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
-        // Canvas allows names of 255 characters, and writes some of them as two.
-        let ends = places("_", name, 510);
+        // Canvas allows names of 255 characters. Each may be written as three.
+        let ends = places("_", name, 765);
         ends.filter_map(|at| PlatformName::canvas_of(name, &name[..at]))
     }
 
@@ -335,9 +335,10 @@ mod tests {
 
     #[test]
     fn no_name_of_a_person_hides_the_platforms_own_number() {
-        let backticks = "%60".repeat(162);
+        let backticks = "%60".repeat(200);
         for name in [
             "x_LATE_LATE_13_502_Ada_12_501_hw.zip".to_owned(),
+            format!("lovelaceada_12_501_{backticks}_13_502_hw.zip"),
             format!("Ada_12_assignsubmission_file_{backticks}_13_assignsubmission_file_hw.zip"),
         ] {
             let all = platforms(&name).into_iter();

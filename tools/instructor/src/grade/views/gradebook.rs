@@ -206,15 +206,18 @@ mod tests {
     fn the_number_of_a_group_on_moodle_is_not_taken_for_a_members() {
         let entries = vec![
             entry("one", "ada", "Team A_3001_assignsubmission_file"),
-            entry("two", "eve", "eve Name of_2002_assignsubmission_file"),
+            entry("two", "eve", "Name of eve_2002_assignsubmission_file"),
         ];
-        let roll = roll(entries, "time_zone = 'UTC'", &[("Team A", &["ada", "bob"])]);
-        let accounts = Accounts::new(&roll.entries, Platform::Moodle);
-        let records = BTreeMap::new();
-        let rows = rows(&roll, &records);
-        let all = rows.own.iter().chain(&rows.shared);
-        let numbers = all.map(|row| accounts.number(row.person.expect("a person"), row));
-        assert_eq!(numbers.collect::<Vec<_>>(), ["", "2002", ""]);
+        for (group, numbers) in [("Team B", ["", "2002", ""]), ("Name of eve", ["", "", ""])] {
+            let groups: [(&str, &[&str]); 2] = [("Team A", &["ada", "bob"]), (group, &["eve"])];
+            let roll = roll(entries.clone(), "time_zone = 'UTC'", &groups);
+            let accounts = Accounts::new(&roll.entries, Platform::Moodle);
+            let records = BTreeMap::new();
+            let rows = rows(&roll, &records);
+            let all = rows.own.iter().chain(&rows.shared);
+            let found = all.map(|row| accounts.number(row.person.expect("a person"), row));
+            assert_eq!(found.collect::<Vec<_>>(), numbers, "{group}");
+        }
     }
 
     /// What is made of a class in which these people have 60 points each.
