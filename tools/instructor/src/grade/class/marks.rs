@@ -73,7 +73,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
     let people = roll.people.as_deref().unwrap_or_default();
     let mut open = Open::default();
     for (team, places) in teams.values() {
-        let places = proven(places, roll, rows, &mut open);
+        let (places, is_disputed) = proven(places, roll, rows, &mut open);
         let handed_in: Vec<Attempt> = places
             .iter()
             .map(|at| Attempt::new(*at, &rows.own[*at], policy, team, people))
@@ -82,7 +82,7 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         let each: Vec<Option<&'a Person>> = team.iter().map(|it| Some(*it)).collect();
         let each = if each.is_empty() { &nobody[..] } else { &each };
         for person in each {
-            give(policy, *person, &handed_in, rows, &mut open);
+            give(policy, *person, &handed_in, is_disputed, rows, &mut open);
         }
     }
     let strangers = policy.strangers(people);
@@ -108,8 +108,8 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         ),
         (
             "in a group with several submissions, and placed by a name that somebody else may have \
-             chosen: beside one that is placed by an id or a number, they don't count; check whose they \
-             are",
+             chosen, so they don't count, unless all are the same: put the one that counts into a \
+             folder named after the person's id",
             true,
             open.by_name,
         ),
@@ -164,9 +164,13 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
         .collect();
 }
 
-/// The places of a team's submissions that may count. If names place submissions for several of its
-/// members, or for one beside another who is known by an id, somebody may have chosen a member's name.
-fn proven(places: &[usize], roll: &Roll, rows: &mut Rows, open: &mut Open) -> Vec<usize> {
+/// Why a submission of a group doesn't count beside others.
+const IS_NAMED: &str = "not counted: only a name, which anybody may have chosen, says whose it is";
+
+/// The places of a team's submissions that may count, and whether somebody may have chosen a member's
+/// name: if names place submissions for several of its members, or for one beside another who is known
+/// by an id.
+fn proven(places: &[usize], roll: &Roll, rows: &mut Rows, open: &mut Open) -> (Vec<usize>, bool) {
     let is_by_name = |at: &&usize| roll.placed.by_name.contains(&rows.own[**at].entry.id);
     let (by_name, proven): (Vec<usize>, Vec<usize>) = places.iter().partition(is_by_name);
     let mut people = by_name
@@ -174,19 +178,16 @@ fn proven(places: &[usize], roll: &Roll, rows: &mut Rows, open: &mut Open) -> Ve
         .map(|at| rows.own[*at].person.map(|it| &it.id));
     let first = people.next();
     if proven.is_empty() && people.all(|it| Some(it) == first) || by_name.is_empty() {
-        return places.to_vec();
+        return (places.to_vec(), false);
     }
     for at in &by_name {
         open.by_name.push(rows.own[*at].entry.id.clone());
+        rows.own[*at].not_counted = Some(IS_NAMED.into());
     }
-    if proven.is_empty() {
-        return by_name;
+    match proven.is_empty() {
+        true => (by_name, true),
+        false => (proven, false),
     }
-    for at in by_name {
-        let why = "not counted: only a name, which anybody may have chosen, says whose it is";
-        rows.own[at].not_counted = Some(why.into());
-    }
-    proven
 }
 
 /// One submission of a team.
@@ -249,16 +250,21 @@ impl Attempt {
     }
 }
 
-/// Which attempt counts for a person; `None` if that can't be decided.
+/// Which attempt counts for a person; `None` if that can't be decided. If attempts are disputed, they
+/// must all be the same.
 fn counted<'a>(
     policy: &Policy,
     person: Option<&Person>,
     attempts: &'a [Attempt],
+    is_disputed: bool,
 ) -> Option<&'a Attempt> {
     if let [first, others @ ..] = attempts
         && others.iter().all(|other| first.is_same(other))
     {
         return Some(first);
+    }
+    if is_disputed {
+        return None;
     }
     match policy.rules.attempts {
         // Of two equally good ones, the one that spends fewer late days counts. Otherwise, one
@@ -288,12 +294,14 @@ fn give<'a>(
     policy: &Policy,
     person: Option<&'a Person>,
     attempts: &[Attempt],
+    is_disputed: bool,
     rows: &mut Rows<'a>,
     open: &mut Open,
 ) {
-    let counts = counted(policy, person, attempts);
+    let counts = counted(policy, person, attempts, is_disputed);
     let ids: Vec<&str> = attempts.iter().map(|it| it.id.as_str()).collect();
     match counts {
+        None if is_disputed => {}
         None => open.undecided.push(ids.join(" and ")),
         Some(counts) => {
             if ids.len() > 1 {
@@ -314,6 +322,7 @@ fn give<'a>(
         }
     }
     let why_not = match counts {
+        None if is_disputed => IS_NAMED.to_owned(),
         None => "not counted, because nothing says whether it is the last".to_owned(),
         Some(counts) => format!("not counted: the submission that counts is {}", counts.id),
     };

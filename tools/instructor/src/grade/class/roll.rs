@@ -6,6 +6,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::grade::intake::index::once;
 use crate::grade::intake::pattern::NamePattern;
 use crate::grade::intake::placement::{self, Placement};
 use crate::grade::intake::roster::Person;
@@ -160,7 +161,8 @@ impl Roll {
         self.placed.superseded = superseded;
         let mut missing = std::mem::take(&mut self.placed.missing);
         let handed_in = self.handed_in();
-        missing.retain(|person| !handed_in.contains(person.id.as_str()));
+        let in_doubt = self.in_doubt();
+        missing.retain(|it| !handed_in.contains(it.id.as_str()) && !in_doubt.contains(&it));
         self.placed.missing = missing;
     }
 
@@ -171,11 +173,12 @@ impl Roll {
         people.map(|person| person.id.as_str()).collect()
     }
 
-    /// People who may have handed in a submission whose owner is uncertain, and whose group has
-    /// handed in nothing else.
+    /// People who may have handed in a submission whose owner is uncertain, and their groups, if they
+    /// have handed in nothing else.
     pub fn in_doubt(&self) -> Vec<&Person> {
         let handed_in = self.handed_in();
-        let mut people = self.placed.in_doubt();
+        let people = self.placed.in_doubt().into_iter();
+        let mut people = once(people.flat_map(|it| self.team_of(it)));
         people.retain(|person| !handed_in.contains(person.id.as_str()));
         people
     }

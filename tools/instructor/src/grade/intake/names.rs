@@ -120,8 +120,7 @@ impl PlatformName<'_> {
         let is_account = is_number(number) || is_anonymous;
         // If it stands there twice, nobody knows.
         let is_same = ends_late && !is_late;
-        let is_name = !is_same && is_account && !rest.is_empty();
-        is_name.then_some(PlatformName {
+        (!is_same && is_account).then_some(PlatformName {
             platform: Platform::Canvas,
             person,
             number,
@@ -278,6 +277,11 @@ pub fn account(name: &str, from: Option<Platform>) -> String {
     }
 }
 
+/// Whether a name can be read in several ways.
+pub fn is_unclear(name: &str, from: Option<Platform>) -> bool {
+    readings(name, from).len() > 1
+}
+
 /// The platform that has exported a class: the one as whose most of these names can be read. What an
 /// uploader adds to a name may look like another platform's.
 pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Platform> {
@@ -338,6 +342,7 @@ mod tests {
         let backticks = "%60".repeat(200);
         for name in [
             "x_LATE_LATE_13_502_Ada_12_501_hw.zip".to_owned(),
+            "lovelaceada_12_13_502_".to_owned(),
             format!("lovelaceada_12_501_{backticks}_13_502_hw.zip"),
             format!("Ada_12_assignsubmission_file_{backticks}_13_assignsubmission_file_hw.zip"),
         ] {

@@ -134,15 +134,24 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
     let given = entries.iter().filter(is_given).count();
     let is_export = given > 1 && 2 * given > entries.len();
+    let meant: Vec<_> = entries.iter().map(|entry| owners(entry, &names)).collect();
+    let mut count: BTreeMap<&str, usize> = BTreeMap::new();
+    for person in meant.iter().flat_map(|(_, found)| found) {
+        *count.entry(&person.id).or_default() += 1;
+    }
+    // If a name can be read in several ways, its author may have made it look like somebody else's. So
+    // it counts only if nothing else may be this person's.
+    let is_clear = |entry: &Entry, person: &Person| {
+        entry.signs.len() == 1 || count.get(&*person.id) == Some(&1)
+    };
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
-    for entry in entries {
-        let (mut proof, found) = owners(entry, &names);
+    for (entry, (mut proof, found)) in entries.iter().zip(meant) {
         if !is_export && is_given(&entry) {
             proof = proof.min(Proof::Name);
         }
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
-            [person] if proof > Proof::Hint => {
+            [person] if proof > Proof::Hint && is_clear(entry, person) => {
                 of.entry(&person.id)
                     .or_default()
                     .push((proof, entry, person));
@@ -154,19 +163,16 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
         }
     }
     for (_, mut all) in of {
-        // What a platform or the instructor says outweighs a name, and a name with one meaning outweighs
-        // one with several. Two accounts with one name belong to two people.
-        let rank = |(proof, entry, _): &(Proof, &Entry, &Person)| (*proof, entry.signs.len() == 1);
-        let best = all.iter().map(rank).max();
-        let strongest = all.iter().filter(|it| Some(rank(it)) == best);
-        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[..] {
-            [Sign::Account { number, .. }] => Some(number),
-            [Sign::Login(name) | Sign::Plain(name)] => (*proof == Proof::Name).then_some(name),
-            // It may be anybody's.
-            _ => Some(&entry.id),
+        // What a platform or the instructor says outweighs a name, and two accounts with one name
+        // belong to two people.
+        let best = all.iter().map(|(proof, ..)| *proof).max();
+        let strongest = all.iter().filter(|(proof, ..)| Some(*proof) == best);
+        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[0] {
+            Sign::Account { number, .. } => Some(number),
+            Sign::Login(name) | Sign::Plain(name) => (*proof == Proof::Name).then_some(name),
         });
         let is_one = accounts.collect::<BTreeSet<_>>().len() < 2;
-        for (_, entry, person) in all.extract_if(.., |it| Some(rank(it)) != best || !is_one) {
+        for (_, entry, person) in all.extract_if(.., |it| Some(it.0) != best || !is_one) {
             let person = vec![person.clone()];
             placed.ambiguous.insert(entry.id.clone(), person);
         }

@@ -250,9 +250,15 @@ impl<'a> Reader<'a> {
         let is_late = self.limits(path).is_late();
         let path = path[..self.length_of_own(path)].to_vec();
         if self.stopped.insert(path.clone()) {
-            let content = match is_late {
-                true => Content::Unreadable(why.into()),
-                false => Content::Refused(why.into()),
+            let is_shared = path
+                .last()
+                .is_some_and(|it| names::is_unclear(it, self.platform));
+            let content = match (is_shared, is_late) {
+                (true, _) => Content::Unreadable(format!(
+                    "together with uploads whose names begin alike, {why}"
+                )),
+                (_, true) => Content::Unreadable(why.into()),
+                _ => Content::Refused(why.into()),
             };
             self.found.push(FoundFile { path, content });
         }

@@ -218,6 +218,30 @@ fn a_submission_named_like_somebody_elses_id_has_its_owners_time() {
 }
 
 #[test]
+fn a_number_in_a_name_with_several_meanings_gives_no_time() {
+    use crate::grade::class::marks::tests::entry;
+    use crate::grade::intake::names::platforms;
+
+    let policy = Policy {
+        times: vec![super::times::TimeLine {
+            keys: vec![(TimeKey::Number, "99".into())],
+            at: "2026-11-20T10:00:00Z".parse().ok(),
+        }],
+        ..Policy::default()
+    };
+    // Only in the first one, 99 is certainly Eve's number.
+    for (name, is_hers) in [
+        ("eve_99_501_hw.zip", true),
+        ("eve_13_501_x_99_1_hw.zip", false),
+    ] {
+        let mut entry = entry("one", "eve", name);
+        entry.signs = platforms(name).iter().map(|it| it.sign()).collect();
+        let time = policy.handed_in(&entry, Some(&Person::default()), &[]);
+        assert_eq!(time.is_ok_and(|it| it.is_some()), is_hers, "{name}");
+    }
+}
+
+#[test]
 fn no_time_in_a_name_is_too_late_to_count() {
     use crate::grade::class::marks::tests::entry;
     use crate::grade::intake::names::HandInTime;

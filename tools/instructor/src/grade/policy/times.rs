@@ -181,17 +181,20 @@ impl Policy {
                 false => last(&named).or(|| last(&by_id)),
             };
         };
-        // Without a platform, a person may have put another's number into a name.
-        let signs = entry.signs.iter().filter(|_| entry.platform.is_some());
-        let signs = signs.filter_map(|sign| match sign {
-            Sign::Account {
-                number,
-                name,
-                may_be_group,
-            } if is_own_number(number, name, *may_be_group, person) => Some(number),
+        // Without a platform, or in a name with several meanings, the number may be another's.
+        let number = match &entry.signs[..] {
+            [
+                Sign::Account {
+                    number,
+                    name,
+                    may_be_group,
+                },
+            ] if entry.platform.is_some() && is_own_number(number, name, *may_be_group, person) => {
+                Some(number)
+            }
             _ => None,
-        });
-        let numbers = person.number.iter().chain(signs);
+        };
+        let numbers = person.number.iter().chain(number);
         let (shared, own): (Vec<_>, Vec<_>) = person
             .all_logins()
             .partition(|it| is_anothers_login(it, person, people));

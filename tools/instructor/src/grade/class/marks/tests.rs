@@ -142,7 +142,8 @@ fn who_has_a_members_name_does_not_hand_in_for_a_group() {
     assert_eq!((marks.len(), listed), (2, None));
     entries[1].at_most = Proof::Name;
     entries[0].at_most = Proof::Name;
-    let (_, listed) = finals_of(entries);
+    let (marks, listed) = finals_of(entries);
+    assert_eq!(marks, []);
     assert_eq!(listed, Some(vec!["one".into(), "two".into()]));
 }
 
@@ -271,14 +272,20 @@ fn a_group_is_graded_once_and_marked_for_all() {
 
 #[test]
 fn people_whose_group_has_handed_in_are_not_in_doubt() {
-    let in_doubt = |groups: &[(&str, &[&str])]| {
-        let both = entry("two", "bob eve", "bob eve");
+    let in_doubt = |own: &str, groups: &[(&str, &[&str])]| {
+        let both = entry("two", own, own);
         let roll = roll(vec![entry("one", "ada", "ada"), both], RULES, groups);
+        assert!(roll.placed.missing.is_empty(), "{:?}", roll.placed.missing);
         let people = roll.in_doubt().into_iter().map(|person| person.id.clone());
         people.collect::<Vec<_>>()
     };
-    assert_eq!(in_doubt(&[]), ["bob", "eve"]);
-    assert_eq!(in_doubt(&[("team", &["ada", "bob"])]), ["eve"]);
+    assert_eq!(in_doubt("bob eve", &[]), ["bob", "eve"]);
+    assert_eq!(in_doubt("bob eve", &[("team", &["ada", "bob"])]), ["eve"]);
+    // The rest of a group is in doubt, too.
+    assert_eq!(
+        in_doubt("hw-bob", &[("team", &["bob", "eve"])]),
+        ["bob", "eve"]
+    );
 }
 
 #[test]

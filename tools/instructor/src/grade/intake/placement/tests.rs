@@ -322,6 +322,9 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
         "nobody knows which is hers: {placed:?}"
     );
     assert_eq!(placed.ambiguous.len(), 2);
+    // The date is also somebody else's number.
+    let placed = place(&entries(&both), Some(&others), &NamePattern::default());
+    assert!(placed.of.is_empty(), "{placed:?}");
 }
 
 #[test]

@@ -138,6 +138,23 @@ fn many_archives_of_one_person_are_limited_together() {
 }
 
 #[test]
+fn a_limit_shared_by_names_that_begin_alike_costs_nobody_points() {
+    let export = Export::new();
+    let many: Files = (0..5)
+        .flat_map(|k| many_answers(&format!("{k}/")))
+        .collect();
+    // Eve calls herself `lovelaceada_77`, and the name of Ada's file contains a date.
+    export.put("class/lovelaceada_77_13_501_hw.zip", &zip(&many));
+    for name in ["lovelaceada_77_502_hw_2026_11_20", "noycebob_12_503_hw"] {
+        let file = format!("class/{name}.zip");
+        export.put(&file, &zip(&answers("", "somebody")));
+    }
+    let entries = export.find("class").entries;
+    let is_graded: Vec<bool> = entries.iter().map(|it| it.submission.is_ok()).collect();
+    assert_eq!(is_graded, [false, false, true], "{entries:?}");
+}
+
+#[test]
 fn too_many_archives_in_a_folder_stop_nobody_else() {
     let export = Export::new();
     let many = zip(&many_answers(""));
