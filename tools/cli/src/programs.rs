@@ -3,6 +3,8 @@
 //! so a student's build doesn't compile it.
 
 use std::ffi::OsString;
+#[cfg(unix)]
+use std::os::unix::process::CommandExt;
 use std::path::PathBuf;
 use std::process::{Command, ExitCode, Stdio};
 use std::{env, fs};
@@ -130,13 +132,17 @@ impl Program {
                 "see cargo's message above",
             )
         })?;
-        let status = Command::new(&executable)
-            .args(words)
-            .status()
-            .or_environment(
-                format_args!("cannot start {}", executable.display()),
-                "run `cargo clean`, then this command again",
-            )?;
+        let mut program = Command::new(&executable);
+        program.args(words);
+        // Where possible, this process becomes the program, so that whoever ends one ends the other.
+        #[cfg(unix)]
+        let status = Err::<std::process::ExitStatus, _>(program.exec());
+        #[cfg(not(unix))]
+        let status = program.status();
+        let status = status.or_environment(
+            format_args!("cannot start {}", executable.display()),
+            "run `cargo clean`, then this command again",
+        )?;
         let code = status.code().and_then(|code| u8::try_from(code).ok());
         Ok(ExitCode::from(code.unwrap_or(3)))
     }

@@ -428,6 +428,20 @@ fn endless_recursion_aborts_and_its_last_words_are_shown_as_its_own() {
 }
 
 #[test]
+fn an_answer_that_needs_too_much_stack_costs_no_other_task() {
+    let body = "std::hint::black_box([ray.origin.x; 1 << 19]); return None;";
+    let text = with_body("plane", body);
+    let folder = submission(&trusted(), "stack", &[("plane.rs", &text)]);
+    let folder = folder.to_str().expect("a plain name");
+    let ran = pinhole(&["check", folder, "--json"]);
+    let examination = ran.expect_code(1).json();
+    for name in ["sphere", "triangle", "triangle_soup", "first_hit"] {
+        assert_eq!(lost(&examination, name), 0, "{name}");
+    }
+    assert!(lost(&examination, "plane") > 0);
+}
+
+#[test]
 fn wrong_arguments_are_errors_with_a_remedy() {
     pinhole(&["check", "--task", "cube"])
         .expect_code(2)
