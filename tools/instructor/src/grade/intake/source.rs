@@ -217,8 +217,8 @@ impl Source<'_> {
             content: found.content,
         };
         let (signs, mut at_most) = signs(&self.name, None, self.named);
-        // Its author may have chosen a name like a platform's, and unpacking may have given it to a folder.
-        if self.is_archive || !matches!(signs[..], [Sign::Plain(_)]) {
+        // Its author may have chosen a name like a platform's.
+        if self.is_archive {
             at_most = at_most.min(Proof::Name);
         }
         HandIn {
