@@ -5,7 +5,7 @@
 //!   student typed in is `lastfirst_USER_text.html`, and a link is `lastfirst_USER_link.html`. If
 //!   the assignment is graded anonymously, `lastfirst` is `anon`, and USER is a random word.
 //! - Moodle: `First Last_NUMBER_assignsubmission_file`, which names a folder or begins a file's
-//!   name (`mod/assign/classes/downloader.php` in its source).
+//!   name (`mod/assign/classes/downloader.php` in its source). The first part contains no `_`.
 //! - Blackboard: `TITLE_LOGIN_attempt_2026-11-20-23-59-01_name.zip`.
 //! - Brightspace: `NUMBER-NUMBER - First Last - Nov 20, 2026 1159 PM - name.zip`, or a folder
 //!   with this name up to the time; the file `index.html` beside them lists all submissions.
@@ -94,9 +94,12 @@ impl PlatformName<'_> {
     /// All ways to read a name as Canvas writes it. A person's name there may contain `_` and
     /// numbers, and so look like somebody else's name.
     fn canvas(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
-        // Canvas allows names of 255 characters. Each may be written as three.
-        let ends = places("_", name, 765);
-        ends.filter_map(|at| PlatformName::canvas_of(name, &name[..at]))
+        // Canvas allows names of 255 characters, and each may be written as three. What follows may have
+        // thousands of `_`, because the uploader chooses it.
+        let after = name.char_indices().nth(3 * 255 + 1);
+        let searched = &name[..after.map_or(name.len(), |(at, _)| at)];
+        let ends = searched.match_indices('_');
+        ends.filter_map(|(at, _)| PlatformName::canvas_of(name, &name[..at]))
     }
 
     fn canvas_of<'a>(name: &'a str, person: &'a str) -> Option<PlatformName<'a>> {
@@ -131,24 +134,20 @@ impl PlatformName<'_> {
         })
     }
 
-    /// All ways to read a name as Moodle writes it.
-    fn moodle(name: &str) -> impl Iterator<Item = PlatformName<'_>> {
-        const MARK: &str = "_assignsubmission_";
-        // The names of a group and of a person, and a number, are shorter, even if each of their
-        // characters is written as three.
-        places(MARK, name, 1800).filter_map(|at| {
-            let (person, number) = name[..at].rsplit_once('_')?;
-            let rest = &name[at + MARK.len()..];
-            let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
-            is_number(number).then_some(PlatformName {
-                platform: Platform::Moodle,
-                person,
-                number,
-                submission: format!("{person}_{number}"),
-                upload: 0,
-                handed_in: None,
-                rest,
-            })
+    /// Reads a name as Moodle writes it, if it may be one. In the names of people and groups, Moodle
+    /// replaces `_` by a space.
+    fn moodle(name: &str) -> Option<PlatformName<'_>> {
+        let (person, rest) = name.split_once('_')?;
+        let (number, rest) = rest.split_once("_assignsubmission_")?;
+        let (_, rest) = rest.split_once('_').unwrap_or((rest, ""));
+        is_number(number).then_some(PlatformName {
+            platform: Platform::Moodle,
+            person,
+            number,
+            submission: format!("{person}_{number}"),
+            upload: 0,
+            handed_in: None,
+            rest,
         })
     }
 
@@ -218,14 +217,6 @@ fn is_number(text: &str) -> bool {
     !text.is_empty() && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
-/// The places of a mark after at most so many characters of a name. In an archive, a name may have
-/// thousands of marks. But its length says nothing, because the uploader chooses the rest of it.
-fn places<'a>(mark: &'static str, name: &'a str, most: usize) -> impl Iterator<Item = usize> + 'a {
-    let after = name.char_indices().nth(most + 1);
-    let searched = &name[..after.map_or(name.len(), |(at, _)| at)];
-    searched.match_indices(mark).map(|(at, _)| at)
-}
-
 /// All ways to read a name as a platform's. An uploader can make a name look as if it were two
 /// people's, or came from two platforms; then nobody knows which it is. The first of these ways has
 /// the shortest name of a person.
@@ -236,11 +227,11 @@ pub fn platforms(name: &str) -> Vec<PlatformName<'_>> {
         return Vec::new();
     }
     let others = [
+        PlatformName::moodle(name),
         PlatformName::blackboard(name),
         PlatformName::brightspace(name),
     ];
     let mut all: Vec<_> = PlatformName::canvas(name)
-        .chain(PlatformName::moodle(name))
         .chain(others.into_iter().flatten())
         .collect();
     all.sort_by_key(|it| it.person.len());
@@ -344,7 +335,6 @@ mod tests {
             "x_LATE_LATE_13_502_Ada_12_501_hw.zip".to_owned(),
             "lovelaceada_12_13_502_".to_owned(),
             format!("lovelaceada_12_501_{backticks}_13_502_hw.zip"),
-            format!("Ada_12_assignsubmission_file_{backticks}_13_assignsubmission_file_hw.zip"),
         ] {
             let all = platforms(&name).into_iter();
             let numbers: Vec<&str> = all.map(|it| it.number).collect();
@@ -444,12 +434,12 @@ mod tests {
         assert_eq!(canvas("anon_x7Kp2_501_hw1.zip"), anonymous);
         assert_eq!(canvas("bnon_x7Kp2_501_hw1.zip"), None);
         assert_eq!(canvas("anon_x7Kp23_501_hw1.zip"), None);
-        let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_").next();
+        let moodle = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_");
         assert_eq!(
             moodle.map(|it| (it.person, it.number)),
             Some(("Ada Lovelace", "2001"))
         );
-        let flat = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_hw1.zip").next();
+        let flat = PlatformName::moodle("Ada Lovelace_2001_assignsubmission_file_hw1.zip");
         assert_eq!(flat.map(|it| it.rest), Some("hw1.zip"));
         let bright = "11-22 - Ada Lovelace - Nov 21, 2026 1207 AM - Bob - Nov 1, 2026 1207 AM - x";
         let bright = PlatformName::brightspace(bright);
@@ -472,7 +462,8 @@ mod tests {
         }
         let longest = format!("{}_12_501_{}.zip", "i\u{307}".repeat(255), "x".repeat(255));
         assert_eq!(platforms(&longest).len(), 1);
-        let both = platforms("malletmallory_13_503_x_20231234_assignsubmission_file.zip");
-        assert_eq!(both.len(), 2);
+        // Moodle's names of people contain no `_`, so this is only one of Canvas's.
+        let canvas = platforms("malletmallory_13_503_x_20231234_assignsubmission_file.zip");
+        assert_eq!(canvas.len(), 1);
     }
 }

@@ -108,8 +108,8 @@ fn owners<'a>(entry: &Entry, names: &Names<'a>) -> (Proof, Vec<&'a Person>) {
     let found = once(all.iter().flat_map(|(_, found)| found.iter().copied()));
     let agree = |of: &Vec<&Person>| of.iter().all(|it| found == [*it]) && !of.is_empty();
     // The name that the uploader gave a file can look like what the platform adds, as in
-    // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first. But what Moodle adds,
-    // nobody writes by chance, except into a display name, which comes before it.
+    // `lovelaceada_11_501_hw_2026_11_20.zip`. The platform's part comes first. But nobody writes by
+    // chance what Moodle adds, so it may stand in a display name on another platform.
     let first = all.first().filter(|(_, of)| !of.is_empty());
     let is_moodles = entry.signs.iter().any(|sign| sign.may_be_group());
     let is_first = first.is_some_and(|(proof, _)| *proof == Proof::Id) && !is_moodles;

@@ -113,10 +113,6 @@ fn a_persons_name_that_looks_like_another_account_replaces_nobody() {
             "lovelaceada_11_501_hw.zip",
             "lovelaceada_LATE_11_99999_x_13_502_hw.zip",
         ],
-        [
-            "Ada Lovelace_11_assignsubmission_file_hw.zip",
-            "Ada Lovelace_11_assignsubmission_file_x_13_assignsubmission_file_hw.zip",
-        ],
     ] {
         let _former = fs::remove_dir_all(export.path("class"));
         export.put_all("class", vec![(ada.to_owned(), zip(&answers("", "ada")))]);
