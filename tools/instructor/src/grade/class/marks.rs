@@ -73,11 +73,16 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
     let people = roll.people.as_deref().unwrap_or_default();
     let mut open = Open::default();
     for (team, places) in teams.values() {
-        let (places, is_disputed) = proven(places, roll, rows, &mut open);
+        let (places, dispute) = proven(places, team, roll, rows, &mut open);
         let handed_in: Vec<Attempt> = places
             .iter()
             .map(|at| Attempt::new(*at, &rows.own[*at], policy, team, people))
             .collect();
+        let is_disputed = match dispute {
+            Dispute::No => false,
+            Dispute::UnlessSame => !are_same(&handed_in),
+            Dispute::Yes => true,
+        };
         let nobody = [None];
         let each: Vec<Option<&'a Person>> = team.iter().map(|it| Some(*it)).collect();
         let each = if each.is_empty() { &nobody[..] } else { &each };
@@ -107,9 +112,9 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             open.undecided,
         ),
         (
-            "in a group with several submissions, and placed by a name that somebody else may have \
-             chosen, so they don't count, unless all are the same: put the one that counts into a \
-             folder named after the person's id",
+            "in a group that may have handed in several submissions, and placed by a name that somebody \
+             else may have chosen, so they don't count (unless all are the same): put the one that \
+             counts into a folder named after the person's id",
             true,
             open.by_name,
         ),
@@ -167,26 +172,41 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
 /// Why a submission of a group doesn't count beside others.
 const IS_NAMED: &str = "not counted: only a name, which anybody may have chosen, says whose it is";
 
-/// The places of a team's submissions that may count, and whether somebody may have chosen a member's
-/// name: if names place submissions for several of its members, or for one beside another who is known
-/// by an id.
-fn proven(places: &[usize], roll: &Roll, rows: &mut Rows, open: &mut Open) -> (Vec<usize>, bool) {
+/// Whether somebody may have chosen the name of a member of a team.
+enum Dispute {
+    No,
+    /// Unless all its submissions are the same.
+    UnlessSame,
+    Yes,
+}
+
+/// The places of a team's submissions that may count. If names place submissions for several of its
+/// members, or for one beside another who is known by an id or has perhaps handed in something else,
+/// somebody may have chosen a member's name.
+fn proven(
+    places: &[usize],
+    team: &[&Person],
+    roll: &Roll,
+    rows: &mut Rows,
+    open: &mut Open,
+) -> (Vec<usize>, Dispute) {
     let is_by_name = |at: &&usize| roll.placed.by_name.contains(&rows.own[**at].entry.id);
     let (by_name, proven): (Vec<usize>, Vec<usize>) = places.iter().partition(is_by_name);
-    let mut people = by_name
-        .iter()
-        .map(|at| rows.own[*at].person.map(|it| &it.id));
-    let first = people.next();
-    if proven.is_empty() && people.all(|it| Some(it) == first) || by_name.is_empty() {
-        return (places.to_vec(), false);
-    }
+    let person = |at: &usize| rows.own[*at].person.map(|it| &it.id);
+    let mut in_doubt = roll.placed.ambiguous.values().flatten();
+    let dispute = match () {
+        () if !proven.is_empty() => Dispute::No,
+        () if in_doubt.any(|it| team.contains(&it)) => Dispute::Yes,
+        () if by_name.iter().any(|at| person(at) != person(&by_name[0])) => Dispute::UnlessSame,
+        () => return (by_name, Dispute::No),
+    };
     for at in &by_name {
         open.by_name.push(rows.own[*at].entry.id.clone());
         rows.own[*at].not_counted = Some(IS_NAMED.into());
     }
     match proven.is_empty() {
-        true => (by_name, true),
-        false => (proven, false),
+        true => (by_name, dispute),
+        false => (proven, dispute),
     }
 }
 
@@ -250,21 +270,18 @@ impl Attempt {
     }
 }
 
-/// Which attempt counts for a person; `None` if that can't be decided. If attempts are disputed, they
-/// must all be the same.
+fn are_same(attempts: &[Attempt]) -> bool {
+    attempts.iter().skip(1).all(|it| attempts[0].is_same(it))
+}
+
+/// Which attempt counts for a person; `None` if that can't be decided.
 fn counted<'a>(
     policy: &Policy,
     person: Option<&Person>,
     attempts: &'a [Attempt],
-    is_disputed: bool,
 ) -> Option<&'a Attempt> {
-    if let [first, others @ ..] = attempts
-        && others.iter().all(|other| first.is_same(other))
-    {
-        return Some(first);
-    }
-    if is_disputed {
-        return None;
+    if are_same(attempts) {
+        return attempts.first();
     }
     match policy.rules.attempts {
         // Of two equally good ones, the one that spends fewer late days counts. Otherwise, one
@@ -298,7 +315,7 @@ fn give<'a>(
     rows: &mut Rows<'a>,
     open: &mut Open,
 ) {
-    let counts = counted(policy, person, attempts, is_disputed);
+    let counts = counted(policy, person, attempts).filter(|_| !is_disputed);
     let ids: Vec<&str> = attempts.iter().map(|it| it.id.as_str()).collect();
     match counts {
         None if is_disputed => {}

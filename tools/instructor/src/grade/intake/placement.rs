@@ -135,15 +135,15 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     let given = entries.iter().filter(is_given).count();
     let is_export = given > 1 && 2 * given > entries.len();
     let meant: Vec<_> = entries.iter().map(|entry| owners(entry, &names)).collect();
+    // How many submissions may be a person's, without those that are merely named like the person.
     let mut count: BTreeMap<&str, usize> = BTreeMap::new();
-    for person in meant.iter().flat_map(|(_, found)| found) {
-        *count.entry(&person.id).or_default() += 1;
+    for (entry, (proof, found)) in entries.iter().zip(&meant) {
+        let is_platforms = is_given(&entry) && entry.at_most > Proof::Hint;
+        let all = found.iter();
+        for person in all.filter(|_| is_platforms || *proof > Proof::Hint) {
+            *count.entry(&person.id).or_default() += 1;
+        }
     }
-    // If a name can be read in several ways, its author may have made it look like somebody else's. So
-    // it counts only if nothing else may be this person's.
-    let is_clear = |entry: &Entry, person: &Person| {
-        entry.signs.len() == 1 || count.get(&*person.id) == Some(&1)
-    };
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for (entry, (mut proof, found)) in entries.iter().zip(meant) {
         if !is_export && is_given(&entry) {
@@ -151,7 +151,7 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
         }
         match found[..] {
             [] => placed.unknown.push(entry.id.clone()),
-            [person] if proof > Proof::Hint && is_clear(entry, person) => {
+            [person] if proof > Proof::Hint => {
                 of.entry(&person.id)
                     .or_default()
                     .push((proof, entry, person));
@@ -162,16 +162,19 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
             }
         }
     }
-    for (_, mut all) in of {
-        // What a platform or the instructor says outweighs a name, and two accounts with one name
-        // belong to two people.
+    for (id, mut all) in of {
+        // What a platform or the instructor says outweighs a name. A name counts only if nothing else
+        // may be this person's, and two accounts with one name belong to two people.
         let best = all.iter().map(|(proof, ..)| *proof).max();
         let strongest = all.iter().filter(|(proof, ..)| Some(*proof) == best);
-        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[0] {
-            Sign::Account { number, .. } => Some(number),
-            Sign::Login(name) | Sign::Plain(name) => (*proof == Proof::Name).then_some(name),
+        let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[..] {
+            [Sign::Account { number, .. }] => Some(number),
+            [Sign::Login(name) | Sign::Plain(name)] => (*proof == Proof::Name).then_some(name),
+            // It may be anybody's.
+            _ => Some(&entry.id),
         });
-        let is_one = accounts.collect::<BTreeSet<_>>().len() < 2;
+        let is_one = accounts.collect::<BTreeSet<_>>().len() < 2
+            && (best > Some(Proof::Name) || count.get(id) == Some(&all.len()));
         for (_, entry, person) in all.extract_if(.., |it| Some(it.0) != best || !is_one) {
             let person = vec![person.clone()];
             placed.ambiguous.insert(entry.id.clone(), person);

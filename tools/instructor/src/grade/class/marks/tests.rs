@@ -142,9 +142,14 @@ fn who_has_a_members_name_does_not_hand_in_for_a_group() {
     assert_eq!((marks.len(), listed), (2, None));
     entries[1].at_most = Proof::Name;
     entries[0].at_most = Proof::Name;
-    let (marks, listed) = finals_of(entries);
+    let (marks, listed) = finals_of(entries.clone());
     assert_eq!(marks, []);
     assert_eq!(listed, Some(vec!["one".into(), "two".into()]));
+    // Who has chosen Eve's name has made her own submission ambiguous.
+    entries[1].at_most = Proof::Hint;
+    let (marks, listed) = finals_of(entries);
+    assert_eq!(marks, [own("-", "two", 0.0)]);
+    assert_eq!(listed, Some(vec!["one".into()]));
 }
 
 #[test]
