@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::index::{Index, Kind, once, words};
+use super::index::{Index, once, words};
 use super::matching::{Proof, is_group, unaccented};
 use super::pattern::Key;
 use super::roster::Person;
@@ -10,48 +10,47 @@ use super::roster::Person;
 /// The people that an account may belong to. The platform's number decides, because people may
 /// change their names, unless the number may be a group's. If the number stands beside a name that
 /// isn't the person's, the instructor should check it, because the author of an archive may have
-/// chosen both.
+/// chosen both. A group's name proves nothing, because somebody else may have this name.
 pub fn with_account<'a>(
     number: &str,
     name: &str,
     may_be_group: bool,
     index: &Index<'a>,
 ) -> (Proof, Vec<&'a Person>) {
-    let mut people = index.people.iter();
-    if let Some(person) = people.find(|it| it.number.as_deref() == Some(number)) {
-        let mut named = index.whole(name).filter(|(_, kind)| kind.is_name());
-        // A group may be named by a number.
-        let is_named =
-            named.any(|(it, _)| it == person) && !(may_be_group && is_group(name, person));
-        // A group may have the name of the person whose number it has, or a word of it.
-        let mut others = index.people.iter();
-        let of_group = others.find(|it| may_be_group && is_group(name, it) && *it != person);
-        let proof = match (is_named || share_word(name, &person.name), may_be_group) {
-            (true, false) => Proof::Id,
-            (true, true) if is_named && of_group.is_none() => Proof::Id,
-            (true, true) if !is_named => Proof::Name,
-            (false, true) => Proof::Hint,
-            _ => Proof::Given,
-        };
-        let of_group = of_group.filter(|_| !is_named);
-        return (proof, [person].into_iter().chain(of_group).collect());
-    }
+    let with_number = index.people.iter();
+    let with_number = with_number.filter(|it| it.number.as_deref() == Some(number));
+    let with_number: Vec<&Person> = with_number.take(1).collect();
     // People may have chosen an address like somebody's name.
-    let is_called = |it: &Person, kind: Kind| kind.is_name() || may_be_group && is_group(name, it);
-    let by_name = index.whole(name);
-    let by_name = by_name.filter(|(it, kind)| is_called(it, *kind));
-    let by_name = by_name.map(|(person, _)| person);
-    // On Moodle, the number is the group's.
-    let is_free = |it: &Person| it.number.is_none() || may_be_group && is_group(name, it);
-    let by_name: Vec<&Person> = by_name.filter(|it| is_free(it)).collect();
+    let named = index.whole(name).filter(|(_, kind)| kind.is_name());
+    let named = once(named.map(|(person, _)| person));
+    let in_group = index.people.iter();
+    let in_group = in_group.filter(|it| may_be_group && is_group(name, it));
+    let in_group: Vec<&Person> = in_group.collect();
+    if let [person] = with_number[..] {
+        let is_named = named.contains(&person) && !in_group.contains(&person);
+        let proof = match (is_named, may_be_group) {
+            (true, _) if in_group.is_empty() => Proof::Id,
+            (true, _) => Proof::Given,
+            _ if !in_group.is_empty() => Proof::Hint,
+            (_, false) if share_word(name, &person.name) => Proof::Id,
+            (_, false) => Proof::Given,
+            (_, true) if share_word(name, &person.name) => Proof::Name,
+            (_, true) => Proof::Hint,
+        };
+        let others = in_group.into_iter().filter(|_| !is_named);
+        return (proof, once(with_number.into_iter().chain(others)));
+    }
+    if !in_group.is_empty() {
+        return (Proof::Hint, once(in_group.into_iter().chain(named)));
+    }
+    let is_free = |it: &&Person| it.number.is_none();
+    let named: Vec<&Person> = named.into_iter().filter(is_free).collect();
     // A number in a name may equal somebody else's id by chance.
-    let by_id = index.people.iter();
-    let by_id: Vec<&Person> = by_id
-        .filter(|it| it.number.is_none() && it.id == number)
-        .collect();
+    let by_id = index.people.iter().filter(is_free);
+    let by_id: Vec<&Person> = by_id.filter(|it| it.id == number).collect();
     let agrees = |it: &&Person| by_id.is_empty() || by_id.contains(it);
-    match by_name.iter().copied().filter(agrees).collect::<Vec<_>>() {
-        both if both.is_empty() => (Proof::Hint, [by_name, by_id].concat()),
+    match named.iter().copied().filter(agrees).collect::<Vec<_>>() {
+        both if both.is_empty() => (Proof::Hint, [named, by_id].concat()),
         both => (Proof::Name, both),
     }
 }

@@ -89,7 +89,7 @@ impl Key {
                 let is_near = own.match_indices('-').any(|(at, _)| {
                     !with(&own[..at]).is_empty() || !with(&own[at + 1..]).is_empty()
                 });
-                (if is_near { Proof::Given } else { Proof::Id }, with(own))
+                (if is_near { Proof::Name } else { Proof::Id }, with(own))
             }
             // People choose the names of their groups, and several may be written alike.
             Key::Group => {

@@ -135,14 +135,12 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     let given = entries.iter().filter(is_given).count();
     let is_export = given > 1 && 2 * given > entries.len();
     let meant: Vec<_> = entries.iter().map(|entry| owners(entry, &names)).collect();
-    // How many submissions may be a person's, without those that are merely named like the person.
+    // How many submissions may be a person's, without those that may be somebody's copies.
     let mut count: BTreeMap<&str, usize> = BTreeMap::new();
-    for (entry, (proof, found)) in entries.iter().zip(&meant) {
-        let is_platforms = is_given(&entry) && entry.at_most > Proof::Hint;
-        let all = found.iter();
-        for person in all.filter(|_| is_platforms || *proof > Proof::Hint) {
-            *count.entry(&person.id).or_default() += 1;
-        }
+    let own = entries.iter().zip(&meant);
+    let own = own.filter(|(entry, _)| entry.at_most > Proof::Hint);
+    for person in own.flat_map(|(_, (_, found))| found) {
+        *count.entry(&person.id).or_default() += 1;
     }
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for (entry, (mut proof, found)) in entries.iter().zip(meant) {

@@ -5,8 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::csv::Table;
 use crate::grade::class::concern::{Concern, in_words};
-use crate::grade::class::{Class, Row};
-use crate::grade::intake::Entry;
+use crate::grade::class::{Class, Roll, Row};
 use crate::grade::intake::matching::is_own_number;
 use crate::grade::intake::names::{Platform, PlatformName};
 use crate::grade::intake::roster::Person;
@@ -28,7 +27,7 @@ pub fn canvas(class: &Class) -> String {
     let possible = number(possible.fold(0.0, f64::max));
     let points = ["    Points Possible", "", "", "", "", &possible];
     table.line(&points.map(str::to_owned));
-    let accounts = Accounts::new(&class.roll.entries, Platform::Canvas);
+    let accounts = Accounts::new(&class.roll, Platform::Canvas);
     for (person, mark, row) in class.gradebook() {
         let Some((number_there, id)) = accounts.find(person, row) else {
             continue;
@@ -71,7 +70,7 @@ pub fn moodle(class: &Class) -> String {
         "Last modified (grade)",
         "Feedback comments",
     ]);
-    let accounts = Accounts::new(&class.roll.entries, Platform::Moodle);
+    let accounts = Accounts::new(&class.roll, Platform::Moodle);
     for (person, mark, row) in class.gradebook() {
         let Some((number_there, id)) = accounts.find(person, row) else {
             continue;
@@ -106,7 +105,7 @@ pub fn not_on_moodle(class: &Class) -> Option<Concern> {
 }
 
 fn not_found(class: &Class, of: Platform, what: &'static str) -> Option<Concern> {
-    let accounts = Accounts::new(&class.roll.entries, of);
+    let accounts = Accounts::new(&class.roll, of);
     let lost = class.gradebook();
     let lost = lost.filter(|(person, _, row)| accounts.find(person, row).is_none());
     let which: Vec<String> = lost.map(|(person, ..)| in_words(person)).collect();
@@ -133,30 +132,38 @@ pub fn has_number_of(name: &PlatformName, person: &Person) -> bool {
 }
 
 /// The platform's numbers for people.
-struct Accounts {
+struct Accounts<'a> {
     of: Platform,
     /// The numbers that occur in the names of several submissions. The platform wrote only one of
     /// these names.
     contested: BTreeSet<String>,
+    /// Submissions whose person is known only by a name.
+    by_name: &'a [String],
 }
 
-impl Accounts {
-    fn new(entries: &[Entry], of: Platform) -> Accounts {
+impl Accounts<'_> {
+    fn new(roll: &Roll, of: Platform) -> Accounts<'_> {
         let mut submissions: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
-        for name in entries.iter().flat_map(|entry| entry.named_by(of)) {
+        for name in roll.entries.iter().flat_map(|entry| entry.named_by(of)) {
             let all = submissions.entry(name.number).or_default();
             all.insert(name.submission);
         }
         let contested = submissions.into_iter().filter(|(_, all)| all.len() > 1);
         let contested = contested.map(|(number, _)| number.to_owned()).collect();
-        Accounts { of, contested }
+        Accounts {
+            of,
+            contested,
+            by_name: &roll.placed.by_name,
+        }
     }
 
     /// The number of a person: from the roster, or from what was handed in.
     fn number(&self, person: &Person, row: &Row) -> String {
         // The number in what was handed in is that of the person who uploaded it, not of the
-        // others in the group.
-        let mut names = row.entry.named_by(self.of).filter(|_| !row.is_shared);
+        // others in the group, and perhaps of somebody who has only taken this person's name.
+        let is_weak = person.has_assigned_id && self.by_name.contains(&row.entry.id);
+        let is_own = !row.is_shared && !is_weak;
+        let mut names = row.entry.named_by(self.of).filter(|_| is_own);
         let named = names.next().filter(|name| has_number_of(name, person));
         let named = named.map(|name| name.number.to_owned());
         let named = named.filter(|number| !self.contested.contains(number));
@@ -178,9 +185,9 @@ impl Accounts {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::grade::class::Roll;
     use crate::grade::class::marks::rows;
     use crate::grade::class::marks::tests::{entry, roll};
+    use crate::grade::intake::matching::Proof;
     use crate::grade::record::RecordSummary;
     use crate::grade::record::tests::graded;
     use crate::grade::shared_answers::KnownAnswers;
@@ -193,13 +200,33 @@ mod tests {
             entry("three", "eve", "eve_79_503_hw.zip"),
         ];
         let roll = roll(entries, "time_zone = 'UTC'", &[]);
-        let accounts = Accounts::new(&roll.entries, Platform::Canvas);
+        let accounts = Accounts::new(&roll, Platform::Canvas);
         let records = BTreeMap::new();
         let numbers = rows(&roll, &records).own.into_iter().map(|row| {
             let person = row.person.expect("it is somebody's");
             accounts.number(person, &row)
         });
         assert_eq!(numbers.collect::<Vec<_>>(), ["", "", "79"]);
+    }
+
+    #[test]
+    fn a_number_beside_a_name_that_anybody_may_have_taken_gives_nobody_anothers_changes() {
+        let mut roll = roll(
+            vec![entry("one", "ada", "ada_79_503_hw.zip")],
+            "time_zone = 'UTC'",
+            &[],
+        );
+        roll.entries[0].at_most = Proof::Name;
+        for (has_assigned_id, number) in [(true, ""), (false, "79")] {
+            let people = roll.people.as_mut().expect("it has people");
+            people[0].has_assigned_id = has_assigned_id;
+            roll.place();
+            let accounts = Accounts::new(&roll, Platform::Canvas);
+            let records = BTreeMap::new();
+            let rows = rows(&roll, &records);
+            let ada = rows.own[0].person.expect("it is Ada's");
+            assert_eq!(accounts.number(ada, &rows.own[0]), number);
+        }
     }
 
     #[test]
@@ -211,7 +238,7 @@ mod tests {
         for (group, numbers) in [("Team B", ["", "2002", ""]), ("Name of eve", ["", "", ""])] {
             let groups: [(&str, &[&str]); 2] = [("Team A", &["ada", "bob"]), (group, &["eve"])];
             let roll = roll(entries.clone(), "time_zone = 'UTC'", &groups);
-            let accounts = Accounts::new(&roll.entries, Platform::Moodle);
+            let accounts = Accounts::new(&roll, Platform::Moodle);
             let records = BTreeMap::new();
             let rows = rows(&roll, &records);
             let all = rows.own.iter().chain(&rows.shared);
