@@ -27,7 +27,7 @@ pub fn canvas(class: &Class) -> String {
     let possible = number(possible.fold(0.0, f64::max));
     let points = ["    Points Possible", "", "", "", "", &possible];
     table.line(&points.map(str::to_owned));
-    let accounts = Accounts::new(&class.roll, Platform::Canvas);
+    let accounts = Accounts::new(class.roll, Platform::Canvas);
     for (person, mark, row) in class.gradebook() {
         let Some((number_there, id)) = accounts.find(person, row) else {
             continue;
@@ -70,7 +70,7 @@ pub fn moodle(class: &Class) -> String {
         "Last modified (grade)",
         "Feedback comments",
     ]);
-    let accounts = Accounts::new(&class.roll, Platform::Moodle);
+    let accounts = Accounts::new(class.roll, Platform::Moodle);
     for (person, mark, row) in class.gradebook() {
         let Some((number_there, id)) = accounts.find(person, row) else {
             continue;
@@ -105,7 +105,7 @@ pub fn not_on_moodle(class: &Class) -> Option<Concern> {
 }
 
 fn not_found(class: &Class, of: Platform, what: &'static str) -> Option<Concern> {
-    let accounts = Accounts::new(&class.roll, of);
+    let accounts = Accounts::new(class.roll, of);
     let lost = class.gradebook();
     let lost = lost.filter(|(person, _, row)| accounts.find(person, row).is_none());
     let which: Vec<String> = lost.map(|(person, ..)| in_words(person)).collect();
