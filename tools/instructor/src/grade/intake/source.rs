@@ -148,14 +148,14 @@ impl Source<'_> {
             return false;
         }
         let tops = tops(self.found.clone());
-        // Names that people choose don't make a class of a clone.
+        // Names that people choose don't make a class of a clone, and beside others, nothing does.
         let is_given = |name: &String| {
             let stem = file_names::stem(name);
             let is_platforms = !names::platforms(name).is_empty();
             self.named.fits(stem) || self.is_id(stem) || is_platforms
         };
         let is_clone = self.named.fits(&self.name) && self.has_owner(&self.name);
-        if is_clone && !tops.keys().any(is_given) {
+        if is_clone && !(self.is_only && tops.keys().any(is_given)) {
             return false;
         }
         if self.people_among(tops.keys()) > 0 {

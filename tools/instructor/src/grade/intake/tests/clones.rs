@@ -85,6 +85,11 @@ fn accounts_that_nobody_knows_hide_no_class() {
     export.put_all("hw1-ada/1002", answers("", "bob"));
     let found = placed_among(&export, &["hw1-ada"], &people, "hw1-{github}");
     assert!(found.1.of.is_empty(), "{:#?}", found.1);
+    // But among clones, it is one.
+    export.put_all("hw1-zz1", answers("", "zz1"));
+    let found = placed_among(&export, &["hw1-ada", "hw1-zz1"], &people, "hw1-{github}");
+    let names: Vec<&str> = found.0.entries.iter().map(|it| &*it.name).collect();
+    assert_eq!(names, ["hw1-ada", "hw1-zz1"]);
     fs::remove_dir_all(export.path("hw1-ada")).expect("it is there");
     // A clone may be graded again, wherever its answers are, and beside a class. Somebody may have
     // the name of a folder in it.
