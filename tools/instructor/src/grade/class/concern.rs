@@ -55,7 +55,7 @@ impl Roll {
             ),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "matched by a name or an address that people can choose themselves: check them, or \
+                "matched by a name, an address or a login that people can choose themselves: check them, or \
                  add the platform's numbers (column `number`), logins (column `login`) or GitHub \
                  logins (column `github`) to the roster",
                 false,

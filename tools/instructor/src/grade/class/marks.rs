@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::concern::Concern;
 use super::{Roll, Row};
 use crate::grade::intake::Entry;
+use crate::grade::intake::matching::Proof;
 use crate::grade::intake::names::HandInTime;
 use crate::grade::intake::roster::Person;
 use crate::grade::policy::Policy;
@@ -193,7 +194,10 @@ fn proven(
     let is_by_name = |at: &&usize| roll.placed.by_name.contains(&rows.own[**at].entry.id);
     let (by_name, proven): (Vec<usize>, Vec<usize>) = places.iter().partition(is_by_name);
     let person = |at: &usize| rows.own[*at].person.map(|it| &it.id);
-    let mut in_doubt = roll.placed.ambiguous.values().flatten();
+    // What may be somebody's copies puts nobody in doubt.
+    let uncertain = roll.entries.iter().filter(|it| it.at_most > Proof::Hint);
+    let in_doubt = uncertain.filter_map(|it| roll.placed.ambiguous.get(&it.id));
+    let mut in_doubt = in_doubt.flatten();
     let dispute = match () {
         () if !proven.is_empty() => Dispute::No,
         () if in_doubt.any(|it| team.contains(&it)) => Dispute::Yes,

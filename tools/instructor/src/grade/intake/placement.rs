@@ -162,13 +162,14 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     }
     for (id, mut all) in of {
         // What a platform or the instructor says outweighs a name. A name counts only if nothing else
-        // may be this person's, and two accounts with one name belong to two people.
+        // may be this person's. Two accounts with one name, or two names that people may have chosen,
+        // belong to two people.
         let best = all.iter().map(|(proof, ..)| *proof).max();
         let strongest = all.iter().filter(|(proof, ..)| Some(*proof) == best);
         let accounts = strongest.filter_map(|(proof, entry, _)| match &entry.signs[..] {
             [Sign::Account { number, .. }] => Some(number),
-            [Sign::Login(name) | Sign::Plain(name)] => (*proof == Proof::Name).then_some(name),
-            // It may be anybody's.
+            [Sign::Login(name)] => (*proof < Proof::Id).then_some(name),
+            [Sign::Plain(_)] if *proof == Proof::Id => None,
             _ => Some(&entry.id),
         });
         let is_one = accounts.collect::<BTreeSet<_>>().len() < 2

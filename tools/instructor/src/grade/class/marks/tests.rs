@@ -146,10 +146,19 @@ fn who_has_a_members_name_does_not_hand_in_for_a_group() {
     assert_eq!(marks, []);
     assert_eq!(listed, Some(vec!["one".into(), "two".into()]));
     // Who has chosen Eve's name has made her own submission ambiguous.
-    entries[1].at_most = Proof::Hint;
-    let (marks, listed) = finals_of(entries);
+    let bobs = |at_most, signs: &[Sign]| {
+        let mut entries = entries.clone();
+        entries[1].at_most = at_most;
+        entries[1].signs = signs.to_vec();
+        finals_of(entries)
+    };
+    let [eve, both] = ["eve", "eve or bob"].map(|it| Sign::Plain(it.into()));
+    let (marks, listed) = bobs(Proof::Name, &[eve.clone(), both]);
     assert_eq!(marks, [own("-", "two", 0.0)]);
     assert_eq!(listed, Some(vec!["one".into()]));
+    // But what may be a copy does her no harm.
+    let (marks, listed) = bobs(Proof::Hint, &[eve]);
+    assert_eq!((marks.len(), listed), (3, None));
 }
 
 #[test]

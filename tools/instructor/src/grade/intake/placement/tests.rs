@@ -356,6 +356,12 @@ fn several_submissions_by_one_person_are_all_listed() {
     assert!(placed.superseded.is_empty());
     assert_eq!(placed.several.len(), 1);
     assert_eq!(placed.of.len(), 2);
+    // Two archives may have one name, and their authors chose it.
+    let mut both = entries(&["s2", "s2"]);
+    both[1].id = "s2.2".into();
+    both.iter_mut().for_each(|it| it.at_most = Proof::Name);
+    let placed = place(&both, Some(&people), &NamePattern::default());
+    assert_eq!(placed.ambiguous.len(), 2, "{placed:?}");
 }
 
 #[test]
