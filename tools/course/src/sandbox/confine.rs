@@ -67,9 +67,9 @@ pub fn arguments(command: &mut Command, limits: &Limits, purpose: Purpose, uid: 
         command.arg("--compiles");
     }
     // The kernel counts whole seconds of single processes, while a watchdog outside counts the
-    // whole tree. On a busy machine, the watchdog may be late. With so much more time, the same
+    // whole tree. On a busy machine, the watchdog may be late. With the extra seconds, the same
     // loop still always ends in the same way.
-    let cpu = 2 * limits.cpu.as_secs() + 5;
+    let cpu = limits.cpu.as_secs() + 5;
     for (name, value) in [
         ("--cpu", cpu),
         ("--address-space", limits.address_space),
