@@ -134,7 +134,7 @@ impl Program {
         })?;
         let mut program = Command::new(&executable);
         program.args(words);
-        // Where possible, this process becomes the program, so that whoever ends one ends the other.
+        // On Unix, this process becomes the program, so a signal to this process reaches the program.
         #[cfg(unix)]
         let status = Err::<std::process::ExitStatus, _>(program.exec());
         #[cfg(not(unix))]
