@@ -1,6 +1,6 @@
 //! Finds each person's mark: which submission counts, and how the policy changes its points.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::concern::Concern;
 use super::{Roll, Row};
@@ -73,8 +73,12 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
     }
     let people = roll.people.as_deref().unwrap_or_default();
     let mut open = Open::default();
+    // What may be somebody's copies puts nobody in doubt.
+    let uncertain = roll.entries.iter().filter(|it| it.at_most > Proof::Hint);
+    let in_doubt = uncertain.filter_map(|it| roll.placed.ambiguous.get(&it.id));
+    let in_doubt: BTreeSet<&str> = in_doubt.flatten().map(|it| it.id.as_str()).collect();
     for (team, places) in teams.values() {
-        let (places, dispute) = proven(places, team, roll, rows, &mut open);
+        let (places, dispute) = proven(places, team, &in_doubt, roll, rows, &mut open);
         let handed_in: Vec<Attempt> = places
             .iter()
             .map(|at| Attempt::new(*at, &rows.own[*at], policy, team, people))
@@ -182,11 +186,12 @@ enum Dispute {
 }
 
 /// The places of a team's submissions that may count. If names place submissions for several of its
-/// members, or for one beside another who is known by an id or has perhaps handed in something else,
-/// somebody may have chosen a member's name.
+/// members, or for one beside another who is known by an id or is `in_doubt` (may have handed in
+/// something else), somebody may have chosen a member's name.
 fn proven(
     places: &[usize],
     team: &[&Person],
+    in_doubt: &BTreeSet<&str>,
     roll: &Roll,
     rows: &mut Rows,
     open: &mut Open,
@@ -194,13 +199,9 @@ fn proven(
     let is_by_name = |at: &&usize| roll.placed.by_name.contains(&rows.own[**at].entry.id);
     let (by_name, proven): (Vec<usize>, Vec<usize>) = places.iter().partition(is_by_name);
     let person = |at: &usize| rows.own[*at].person.map(|it| &it.id);
-    // What may be somebody's copies puts nobody in doubt.
-    let uncertain = roll.entries.iter().filter(|it| it.at_most > Proof::Hint);
-    let in_doubt = uncertain.filter_map(|it| roll.placed.ambiguous.get(&it.id));
-    let mut in_doubt = in_doubt.flatten();
     let dispute = match () {
         () if !proven.is_empty() => Dispute::No,
-        () if in_doubt.any(|it| team.contains(&it)) => Dispute::Yes,
+        () if team.iter().any(|it| in_doubt.contains(&*it.id)) => Dispute::Yes,
         () if by_name.iter().any(|at| person(at) != person(&by_name[0])) => Dispute::UnlessSame,
         () => return (by_name, Dispute::No),
     };

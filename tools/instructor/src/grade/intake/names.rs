@@ -253,7 +253,7 @@ pub fn reading(name: &str, from: Option<Platform>) -> Option<PlatformName<'_>> {
     only(readings(name, from))
 }
 
-/// The first of these ways, if there is no other.
+/// The single way to read a name; `None` if there are several, or none.
 pub fn only(mut all: Vec<PlatformName<'_>>) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
