@@ -111,9 +111,9 @@ impl Program {
             .arg("--message-format=json-render-diagnostics")
             .stderr(Stdio::inherit());
         if self.target() == VECTOR_TARGET {
-            // Settings in `RUSTFLAGS`, if there are any, take the place of these.
-            let flags = format!("build.rustflags=[\"-Ctarget-cpu={VECTOR_LEVEL}\"]");
-            cargo.args(["--target-dir", VECTOR_TARGET, "--config", &flags]);
+            // Settings in `RUSTFLAGS`, if there are any, take the place of the ones in this file.
+            let settings = checkout.root().join("tools/study/x86-64-v3.toml");
+            cargo.arg("--config").arg(settings);
         }
         let what = format!("building {}", self.package);
         let built = if self.is_built(&checkout) {
@@ -157,8 +157,7 @@ impl Program {
         fs::metadata(executable).is_ok()
     }
 
-    /// The folder for what cargo builds. Programs for different processors must not share one,
-    /// because each would be built anew after the other.
+    /// The folder for what cargo builds.
     fn target(&self) -> &'static str {
         match self.uses_vectors && has_vectors() {
             true => VECTOR_TARGET,
@@ -167,11 +166,10 @@ impl Program {
     }
 }
 
-/// The level of x86-64 that brings operations on eight numbers at a time (AVX2) and `fma`.
-const VECTOR_LEVEL: &str = "x86-64-v3";
+/// The folder that `tools/study/x86-64-v3.toml` names.
 const VECTOR_TARGET: &str = "target/x86-64-v3";
 
-/// Whether this processor has everything that [`VECTOR_LEVEL`] requires.
+/// Whether this processor has everything that x86-64-v3 requires.
 fn has_vectors() -> bool {
     #[cfg(target_arch = "x86_64")]
     {
