@@ -1,5 +1,6 @@
 //! Whose submission it is, by what a platform wrote into its name.
 
+use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::index::{Index, once, words};
@@ -65,36 +66,44 @@ fn share_word(name: &str, other: &str) -> bool {
     folded(name).iter().any(|word| others.contains(word))
 }
 
-/// What most of these names begin with: the longest such text that ends between two words. Nobody can
-/// change what most names have in common.
-pub fn title(names: &BTreeSet<&str>) -> String {
-    let mut count: BTreeMap<&str, usize> = BTreeMap::new();
+/// The title that Blackboard writes before logins, with the `_` after it. Most of these names begin with
+/// it, and no other beginning leaves the id or login of more people. Nobody can change what most names
+/// have in common, but most logins may begin alike, too, so the shortest such beginning is the title.
+pub fn title(names: &BTreeSet<&str>, index: &Index) -> String {
+    // How many names begin so, and how many of them end in an id or a login.
+    let mut count: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
     for name in names {
-        for word in words(name).into_iter().skip(1) {
-            *count.entry(&name[..word.start]).or_default() += 1;
+        for start in starts(name) {
+            let (title, login) = name.split_at(start);
+            let (all, known) = count.entry(title).or_default();
+            *all += 1;
+            *known += usize::from(!index.with_assigned(login).is_empty());
         }
     }
     let most = count.into_iter();
-    let most = most.filter(|(_, count)| *count > 1 && 2 * count > names.len());
-    let longest = most.map(|(part, _)| part).max_by_key(|it| it.len());
-    longest.unwrap_or_default().to_owned()
+    let most = most.filter(|(_, (all, known))| *known > 1 && 2 * all > names.len());
+    let best = most.max_by_key(|(title, (_, known))| (*known, Reverse(title.len())));
+    best.map_or_else(String::new, |(title, _)| title.to_owned())
+}
+
+/// Where a login may begin in what Blackboard writes.
+fn starts(text: &str) -> impl Iterator<Item = usize> {
+    text.match_indices('_').map(|(at, _)| at + 1)
 }
 
 /// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
 /// login may contain `_`, so it proves something only after the `title` of most submissions. People may
 /// have typed in their addresses, so these suggest somebody at most.
 pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
-    let title = title.rfind('_').map_or(0, |at| at + 1);
-    let starts = text.match_indices('_').map(|(at, _)| at + 1);
-    let starts = starts.filter(|at| title == 0 || *at <= title);
-    let starts: Vec<usize> = starts.collect();
-    let mut all_agree = Proof::Id;
+    let has_title = !title.is_empty() && text.starts_with(title);
+    let is_possible = |start: &usize| !has_title || *start == title.len();
+    let starts: Vec<usize> = starts(text).filter(is_possible).collect();
+    let mut all_agree = if has_title { Proof::Id } else { Proof::Name };
     let mut found: Vec<&Person> = Vec::new();
     for at in &starts {
         let (proof, people) = Key::Id.owners(&text[*at..], index);
         if !people.is_empty() {
-            let most = if *at == title { Proof::Id } else { Proof::Name };
-            all_agree = all_agree.min(proof).min(most);
+            all_agree = all_agree.min(proof);
         }
         found.extend(people);
     }

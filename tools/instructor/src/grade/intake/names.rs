@@ -170,7 +170,7 @@ impl PlatformName<'_> {
                 rest: rest.strip_prefix('_').unwrap_or(rest),
             })
         };
-        name.match_indices(MARK).find_map(read)
+        with_latest_time(name.match_indices(MARK).filter_map(read).collect())
     }
 
     /// Reads a name as Brightspace writes it, if it may be one.
@@ -197,12 +197,16 @@ impl PlatformName<'_> {
             })
         };
         // If a display name ends in a hyphen, two of them share a space.
-        let all: Vec<_> = name.char_indices().filter_map(read).collect();
-        // Somebody's display name may contain an earlier time than the platform's.
-        let handed_in = all.iter().filter_map(|it| it.handed_in).max();
-        let first = all.into_iter().next()?;
-        Some(PlatformName { handed_in, ..first })
+        with_latest_time(name.char_indices().filter_map(read).collect())
     }
+}
+
+/// The first of these ways to read a name, but with the latest time, because the name of a person or
+/// a group may contain an earlier time than the platform's.
+fn with_latest_time(all: Vec<PlatformName<'_>>) -> Option<PlatformName<'_>> {
+    let handed_in = all.iter().filter_map(|it| it.handed_in).max();
+    let first = all.into_iter().next()?;
+    Some(PlatformName { handed_in, ..first })
 }
 
 /// A time as Brightspace writes it: no colon before the minutes, and no zero before the hour.
@@ -356,6 +360,10 @@ mod tests {
         for (names, said) in [
             (
                 &["HW1_al1_attempt_2026-11-20-23-59-01_hw_attempt_2020-01-01-00-00-00.zip"][..],
+                "2026-11-20T23:59:01",
+            ),
+            (
+                &["HW1_x_attempt_2026-01-01-00-00-00_y_attempt_2026-11-20-23-59-01_hw.zip"],
                 "2026-11-20T23:59:01",
             ),
             (

@@ -62,7 +62,7 @@ impl Placement {
 struct Names<'a> {
     index: Index<'a>,
     named: &'a NamePattern,
-    /// What most of Blackboard's names begin with.
+    /// What Blackboard writes before logins.
     title: String,
 }
 
@@ -74,10 +74,11 @@ impl<'a> Names<'a> {
         });
         // Somebody may have handed in many attempts.
         let logins: BTreeSet<&str> = logins.collect();
+        let index = Index::of(people);
         Names {
-            index: Index::of(people),
+            title: title(&logins, &index),
+            index,
             named,
-            title: title(&logins),
         }
     }
 

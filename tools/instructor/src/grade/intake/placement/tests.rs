@@ -542,4 +542,16 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
         &NamePattern::default(),
     );
     assert_eq!(placed.of[&bob].id, "s2", "{placed:?}");
+    // All logins may begin alike, and end in other people's ids.
+    for (person, login) in people.iter_mut().zip(["stud_al", "stud_bob", "stud_zm"]) {
+        person.logins = vec![login.into()];
+    }
+    let [ada, zoe, stranger, other] = ["stud_al", "stud_zm", "stud_s2", "stud_s4"].map(of);
+    let placed = place(
+        &entries(&[&ada, &zoe, &stranger, &other]),
+        Some(&people),
+        &NamePattern::default(),
+    );
+    assert_eq!(placed.unknown, [stranger, other], "{placed:?}");
+    assert!(placed.by_name.is_empty(), "{placed:?}");
 }

@@ -1,6 +1,6 @@
 //! Recognises archives, and files that are left out, by their names. Shortens lists of names.
 
-use crate::grade::intake::names;
+use crate::grade::intake::names::{Platform, PlatformName, platforms};
 
 /// The extensions of archives; only those in the first list are opened.
 const OPENED: [&str; 4] = [".zip", ".tar", ".tgz", ".tar.gz"];
@@ -42,13 +42,15 @@ pub fn is_skipped(path: &[String], from: usize) -> bool {
 
 /// Whether a folder is hidden on Unix. But people may have display names that begin with a dot.
 pub fn is_hidden(name: &str) -> bool {
-    name.starts_with('.') && names::platforms(name).is_empty()
+    name.starts_with('.') && platforms(name).is_empty()
 }
 
-/// Whether this is a file that operating systems leave in every folder.
+/// Whether this is a file that operating systems leave in every folder. But somebody on Moodle may be
+/// called `.`.
 fn is_litter(name: &str) -> bool {
     let litter = ["__MACOSX", ".DS_Store", "Thumbs.db", "desktop.ini"];
-    litter.contains(&name) || name.starts_with("._")
+    let is_dot = |it: &PlatformName| it.platform == Platform::Moodle && it.person == ".";
+    litter.contains(&name) || name.starts_with("._") && !platforms(name).iter().any(is_dot)
 }
 
 /// How many names of a list are shown.
@@ -71,4 +73,22 @@ pub fn first(names: &[String]) -> Vec<String> {
     let more = names.len() - shown.len();
     shown.extend((more > 0).then(|| format!("{more} more like these")));
     shown
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_of_operating_systems_are_skipped_but_nobody_called_by_a_dot() {
+        for (name, is_left_out) in [
+            ("._sphere.rs", true),
+            ("._lovelaceada_11_501_hw.zip", true),
+            ("._Ada Lovelace_2001_assignsubmission_file_hw.zip", true),
+            ("._2001_assignsubmission_file", false),
+            (". Plato_2001_assignsubmission_file", false),
+        ] {
+            assert_eq!(is_skipped(&[name.into()], 0), is_left_out, "{name}");
+        }
+    }
 }

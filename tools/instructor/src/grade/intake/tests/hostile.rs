@@ -185,11 +185,17 @@ fn blackboard_names_the_person_before_the_attempt_and_the_uploader_names_the_res
     assert_eq!(found.1.unknown.len(), 1, "{:#?}", found.1);
     // A login that ends with another person's login is not that person's.
     export.put(
+        "class/HW1_bb1_attempt_2026-11-20-19-00-00_hw.zip",
+        &zip(&answers("", "bob")),
+    );
+    export.put(
         "class/HW1_x_al1_attempt_2026-11-20-22-00-00_hw.zip",
         &zip(&answers("", "mallory")),
     );
-    let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
+    let roster = "id,name,login\n1,Ada Lovelace,al1\n2,Bob Byron,bb1\n";
+    let found = placed(&export, &["class"], roster);
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    assert!(found.1.by_name.is_empty(), "{:#?}", found.1);
     // Without logins on the roster, no submission is guessed to be anybody's.
     let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
     assert!(found.1.of.is_empty(), "{:#?}", found.1);
