@@ -80,14 +80,16 @@ fn printable_coloured_line(line: &str) -> String {
 
 /// Characters that reorder or hide the characters beside them, or cannot be seen: those with
 /// Unicode's property Default_Ignorable_Code_Point (DerivedCoreProperties.txt, 17.0), the separators
-/// of lines and paragraphs, and the marks of interlinear annotations.
+/// of lines and paragraphs, the marks of interlinear annotations, and noncharacters, which HTML doesn't
+/// allow.
 fn is_invisible(c: char) -> bool {
     matches!(c,
         '\u{ad}' | '\u{34f}' | '\u{61c}' | '\u{115f}'..='\u{1160}' | '\u{17b4}'..='\u{17b5}'
         | '\u{180b}'..='\u{180f}' | '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}'
         | '\u{2060}'..='\u{206f}' | '\u{3164}' | '\u{fe00}'..='\u{fe0f}' | '\u{feff}'
-        | '\u{ffa0}' | '\u{fff0}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
+        | '\u{fdd0}'..='\u{fdef}' | '\u{ffa0}' | '\u{fff0}'..='\u{fffb}' | '\u{1bca0}'..='\u{1bca3}'
         | '\u{1d173}'..='\u{1d17a}' | '\u{e0000}'..='\u{e0fff}')
+        || u32::from(c) & 0xfffe == 0xfffe
 }
 
 /// A JSON document in which every character that could harm a terminal is written as an escape of
@@ -164,7 +166,9 @@ mod tests {
 
     #[test]
     fn invisible_characters_are_shown_by_number() {
-        for c in "\u{ad}\u{61c}\u{180e}\u{200b}\u{202e}\u{3164}\u{fe0f}\u{feff}\u{e0001}".chars() {
+        for c in
+            "\u{ad}\u{61c}\u{180e}\u{200b}\u{202e}\u{3164}\u{fe0f}\u{feff}\u{fffe}\u{e0001}".chars()
+        {
             let shown = printable(&format!("a{c}b"));
             assert!(!shown.contains(c), "{shown:?}");
             assert_eq!(shown, format!("a{}b", c.escape_unicode()));
