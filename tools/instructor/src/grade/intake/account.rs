@@ -1,7 +1,7 @@
 //! Whose submission it is, by what a platform wrote into its name.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use super::index::{Index, once, words};
 use super::matching::{Proof, is_group, unaccented};
@@ -66,24 +66,23 @@ fn share_word(name: &str, other: &str) -> bool {
     folded(name).iter().any(|word| others.contains(word))
 }
 
-/// The title that Blackboard writes before logins, with the `_` after it. Most of these names begin with
-/// it, and no other beginning leaves the id or login of more people. Nobody can change what most names
-/// have in common, but most logins may begin alike, too, so the shortest such beginning is the title.
+/// The title that Blackboard writes before logins, with the `_` after it. All of these names begin with
+/// it, and no other beginning leaves the id or login of more people. All logins may begin alike, too, so
+/// the shortest such beginning is the title.
 pub fn title(names: &BTreeSet<&str>, index: &Index) -> String {
-    // How many names begin so, and how many of them end in an id or a login.
-    let mut count: BTreeMap<&str, (usize, usize)> = BTreeMap::new();
-    for name in names {
-        for start in starts(name) {
-            let (title, login) = name.split_at(start);
-            let (all, known) = count.entry(title).or_default();
-            *all += 1;
-            *known += usize::from(!index.with_assigned(login).is_empty());
-        }
-    }
-    let most = count.into_iter();
-    let most = most.filter(|(_, (all, known))| *known > 1 && 2 * all > names.len());
-    let best = most.max_by_key(|(title, (_, known))| (*known, Reverse(title.len())));
-    best.map_or_else(String::new, |(title, _)| title.to_owned())
+    let Some(first) = names.first() else {
+        return String::new();
+    };
+    let titles = starts(first).map(|start| &first[..start]);
+    let known = |title: &str| {
+        let logins = names.iter().map(|name| name.strip_prefix(title));
+        let logins: Option<Vec<&str>> = logins.collect();
+        let is_known = |login: &&str| !index.with_assigned(login).is_empty();
+        logins.map_or(0, |all| all.into_iter().filter(is_known).count())
+    };
+    let titles = titles.map(|title| (known(title), Reverse(title.len()), title));
+    let best = titles.filter(|(known, ..)| *known > 1).max();
+    best.map_or_else(String::new, |(.., title)| title.to_owned())
 }
 
 /// Where a login may begin in what Blackboard writes.
@@ -92,7 +91,7 @@ fn starts(text: &str) -> impl Iterator<Item = usize> {
 }
 
 /// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
-/// login may contain `_`, so it proves something only after the `title` of most submissions. People may
+/// login may contain `_`, so it proves something only after the `title` of all submissions. People may
 /// have typed in their addresses, so these suggest somebody at most.
 pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
     let has_title = !title.is_empty() && text.starts_with(title);

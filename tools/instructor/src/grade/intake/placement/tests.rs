@@ -484,7 +484,7 @@ fn a_single_name_like_a_platforms_is_listed_even_if_there_is_no_other() {
 }
 
 #[test]
-fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
+fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_all() {
     let mut people = people();
     for (person, login) in people.iter_mut().zip(["al", "x_bob", "zm"]) {
         person.logins = vec![login.into()];
@@ -554,4 +554,13 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_most() {
     );
     assert_eq!(placed.unknown, [stranger, other], "{placed:?}");
     assert!(placed.by_name.is_empty(), "{placed:?}");
+    // Most logins may be strangers' and begin alike.
+    people[2].logins = vec!["zm".into()];
+    let [zoe, stranger, other] = ["zm", "ext_s2", "ext_s4"].map(of);
+    let placed = place(
+        &entries(&[&zoe, &stranger, &other]),
+        Some(&people),
+        &NamePattern::default(),
+    );
+    assert_eq!(placed.by_name.len(), 3, "{placed:?}");
 }
