@@ -90,6 +90,13 @@ fn starts(text: &str) -> impl Iterator<Item = usize> {
     text.match_indices('_').map(|(at, _)| at + 1)
 }
 
+/// Whether after another title than this one, the id or login of somebody else is left.
+fn may_be_anothers(text: &str, title: &str, index: &Index) -> bool {
+    let own = index.with_assigned(&text[title.len()..]);
+    let mut others = starts(text).flat_map(|at| index.with_assigned(&text[at..]));
+    others.any(|it| !own.contains(&it))
+}
+
 /// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
 /// login may contain `_`, so it proves something only after the `title` of all submissions. People may
 /// have typed in their addresses, so these suggest somebody at most.
@@ -97,7 +104,12 @@ pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec
     let has_title = !title.is_empty() && text.starts_with(title);
     let is_possible = |start: &usize| !has_title || *start == title.len();
     let starts: Vec<usize> = starts(text).filter(is_possible).collect();
-    let mut all_agree = if has_title { Proof::Id } else { Proof::Name };
+    let mut all_agree = match has_title {
+        // Perhaps the title is another.
+        true if may_be_anothers(text, title, index) => Proof::Given,
+        true => Proof::Id,
+        false => Proof::Name,
+    };
     let mut found: Vec<&Person> = Vec::new();
     for at in &starts {
         let (proof, people) = Key::Id.owners(&text[*at..], index);

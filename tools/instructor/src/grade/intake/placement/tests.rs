@@ -554,6 +554,16 @@ fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_all() {
     );
     assert_eq!(placed.unknown, [stranger, other], "{placed:?}");
     assert!(placed.by_name.is_empty(), "{placed:?}");
+    // The title may be `HW_1_x` or `HW_1`.
+    let [of_bob, of_sam] = ["x_bob", "x_s4"].map(of);
+    people[0].logins = vec!["x_bob".into()];
+    people[1].logins = vec!["x_s4".into()];
+    let placed = place(
+        &entries(&[&of_bob, &of_sam]),
+        Some(&people),
+        &NamePattern::default(),
+    );
+    assert_eq!(placed.contested, [of_bob, of_sam], "{placed:?}");
     // Most logins may be strangers' and begin alike.
     people[2].logins = vec!["zm".into()];
     let [zoe, stranger, other] = ["zm", "ext_s2", "ext_s4"].map(of);
