@@ -115,8 +115,9 @@ pub struct Grade {
     #[arg(long, value_name = "CSV")]
     pub roster: Option<PathBuf>,
     /// How folders and archives are named if their names are not just ids, for instance `hw1-{github}`
-    /// for clones from GitHub. `{id}` stands for an id or a university login, `{github}` for a login
-    /// on GitHub, `{group}` for a group's name, and `{name}` for a person's
+    /// for clones from GitHub, or `HW1_{id}` for files from Blackboard. `{id}` stands for an id or a
+    /// university login, `{github}` for a login on GitHub, `{group}` for a group's name, and `{name}` for
+    /// a person's
     #[arg(long, value_name = "PATTERN", requires = "roster")]
     pub named: Option<NamePattern>,
     /// A policy.toml, which sets deadlines, late days and extra credit, and changes individual

@@ -55,9 +55,10 @@ impl Roll {
             ),
             ("not on the roster", true, self.names(&placed.unknown)),
             (
-                "matched by a name, an address or a login that people can choose themselves: check them, or \
-                 add the platform's numbers (column `number`), logins (column `login`) or GitHub \
-                 logins (column `github`) to the roster",
+                "matched by a name, an address or a login that may be somebody else's: check them, or add the \
+                 platform's numbers (column `number`), logins (column `login`) or GitHub logins (column \
+                 `github`) to the roster. For Blackboard, say what stands before the logins (such as \
+                 `--named 'HW1_{id}'`)",
                 false,
                 self.names(&placed.by_name),
             ),

@@ -1,8 +1,5 @@
 //! Whose submission it is, by what a platform wrote into its name.
 
-use std::cmp::Reverse;
-use std::collections::BTreeSet;
-
 use super::index::{Index, once, words};
 use super::matching::{Proof, is_group, unaccented};
 use super::pattern::Key;
@@ -66,66 +63,18 @@ fn share_word(name: &str, other: &str) -> bool {
     folded(name).iter().any(|word| others.contains(word))
 }
 
-/// The title that Blackboard writes before logins, with the `_` after it. All of these names begin with
-/// it, and no other beginning leaves the id or login of more people. All logins may begin alike, too, so
-/// the shortest such beginning is the title.
-pub fn title(names: &BTreeSet<&str>, index: &Index) -> String {
-    let Some(first) = names.first() else {
-        return String::new();
-    };
-    let titles = starts(first).map(|start| &first[..start]);
-    let known = |title: &str| {
-        let logins = names.iter().map(|name| name.strip_prefix(title));
-        let logins: Option<Vec<&str>> = logins.collect();
-        let is_known = |login: &&str| !index.with_assigned(login).is_empty();
-        logins.map_or(0, |all| all.into_iter().filter(is_known).count())
-    };
-    let titles = titles.map(|title| (known(title), Reverse(title.len()), title));
-    let best = titles.filter(|(known, ..)| *known > 1).max();
-    best.map_or_else(String::new, |(.., title)| title.to_owned())
-}
-
-/// Where a login may begin in what Blackboard writes.
-fn starts(text: &str) -> impl Iterator<Item = usize> {
-    text.match_indices('_').map(|(at, _)| at + 1)
-}
-
-/// Whether after another title than this one, the id or login of somebody else is left.
-fn may_be_anothers(text: &str, title: &str, index: &Index) -> bool {
-    let own = index.with_assigned(&text[title.len()..]);
-    let mut others = starts(text).flat_map(|at| index.with_assigned(&text[at..]));
-    others.any(|it| !own.contains(&it))
-}
-
-/// The people whose login ends what Blackboard writes: the assignment's title, `_`, and a login. A
-/// login may contain `_`, so it proves something only after the `title` of all submissions. People may
-/// have typed in their addresses, so these suggest somebody at most.
-pub fn with_login<'a>(text: &str, title: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
-    let has_title = !title.is_empty() && text.starts_with(title);
-    let is_possible = |start: &usize| !has_title || *start == title.len();
-    let starts: Vec<usize> = starts(text).filter(is_possible).collect();
-    let mut all_agree = match has_title {
-        // Perhaps the title is another.
-        true if may_be_anothers(text, title, index) => Proof::Given,
-        true => Proof::Id,
-        false => Proof::Name,
-    };
-    let mut found: Vec<&Person> = Vec::new();
-    for at in &starts {
-        let (proof, people) = Key::Id.owners(&text[*at..], index);
-        if !people.is_empty() {
-            all_agree = all_agree.min(proof);
-        }
-        found.extend(people);
+/// The people whose id, login or address may end what Blackboard writes: the assignment's title, `_`,
+/// and a login. A title and a login may contain `_`, so this proves nothing: somebody else's login may be
+/// `stud_ada`.
+pub fn with_login<'a>(text: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
+    let ends = text.match_indices('_').map(|(at, _)| &text[at + 1..]);
+    let ends: Vec<&str> = ends.collect();
+    let found = ends.iter().flat_map(|end| Key::Id.owners(end, index).1);
+    let found = once(found);
+    if !found.is_empty() {
+        return (Proof::Name, found);
     }
-    if found.is_empty() {
-        let is_end = |own: &str| {
-            starts
-                .iter()
-                .any(|at| own.eq_ignore_ascii_case(&text[*at..]))
-        };
-        let has = |it: &&Person| it.addresses().any(is_end);
-        return (Proof::Hint, index.people.iter().filter(has).collect());
-    }
-    (all_agree, once(found))
+    let is_end = |own: &str| ends.iter().any(|end| own.eq_ignore_ascii_case(end));
+    let has = |it: &&Person| it.addresses().any(is_end);
+    (Proof::Hint, index.people.iter().filter(has).collect())
 }

@@ -66,16 +66,19 @@ pub fn account(name: &str, named: &NamePattern) -> String {
     reading(name, None, named).map_or(name.into(), |it| it.submission)
 }
 
-/// All ways to read a name as a platform's. What the instructor says of names outweighs these.
+/// All ways to read a name as a platform's. What the instructor says of names outweighs these, but
+/// Blackboard adds a time and a file's name to it.
 fn readings<'n>(
     name: &'n str,
     from: Option<Platform>,
     named: &NamePattern,
 ) -> Vec<PlatformName<'n>> {
-    match named.fits(file_names::stem(name)) {
-        true => Vec::new(),
-        false => names::readings(name, from),
-    }
+    let mut all = names::readings(name, from);
+    let is_login =
+        |it: &PlatformName| it.platform == Platform::Blackboard && named.is_login(it.person);
+    let is_said = named.fits(file_names::stem(name)) || all.iter().any(is_login);
+    all.retain(|it| !is_said || is_login(it));
+    all
 }
 
 /// The only one of these ways.
@@ -112,8 +115,9 @@ pub fn signs(name: &str, from: Option<Platform>, named: &NamePattern) -> (Vec<Si
 /// Divides the files of a class among its people.
 pub fn of_class(tops: Tops, named: &NamePattern) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let others = tops.keys().filter(|top| !named.fits(file_names::stem(top)));
-    let platform = names::exported_by(others);
+    let read = tops.keys().map(|top| (top, readings(top, None, named)));
+    let others = read.filter(|(top, all)| !all.is_empty() || !named.fits(file_names::stem(top)));
+    let platform = names::exported_by(others.map(|(_, all)| all));
     let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
         let holds = |it: &FoundFile| {

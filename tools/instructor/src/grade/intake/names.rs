@@ -277,15 +277,12 @@ pub fn is_unclear(name: &str, from: Option<Platform>) -> bool {
     readings(name, from).len() > 1
 }
 
-/// The platform that has exported a class: the one as whose most of these names can be read. What an
-/// uploader adds to a name may look like another platform's.
-pub fn exported_by<'a>(names: impl Iterator<Item = &'a String>) -> Option<Platform> {
-    let read = |name: &String| -> Vec<Platform> {
-        let all = platforms(name).into_iter();
-        all.map(|it| it.platform).collect()
-    };
-    let all: Vec<Vec<Platform>> = names.map(read).collect();
-    let count = |of| all.iter().filter(|it| it.contains(&of)).count();
+/// The platform that has exported a class: the one as whose most of its names can be read, given the
+/// ways to read each. What an uploader adds to a name may look like another platform's.
+pub fn exported_by<'a>(all: impl Iterator<Item = Vec<PlatformName<'a>>>) -> Option<Platform> {
+    let all: Vec<_> = all.collect();
+    let is_of = |readings: &[PlatformName], of| readings.iter().any(|it| it.platform == of);
+    let count = |of| all.iter().filter(|it| is_of(it, of)).count();
     let mut counts = PLATFORMS.map(|it| (count(it), it));
     counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
     let [(most, platform), (next, _), ..] = counts;
@@ -315,10 +312,7 @@ mod tests {
 
     #[test]
     fn most_names_tell_the_platform_whatever_uploaders_add() {
-        let export = |names: &[&str]| {
-            let names: Vec<String> = names.iter().map(|name| (*name).to_owned()).collect();
-            exported_by(names.iter())
-        };
+        let export = |names: &[&str]| exported_by(names.iter().map(|name| platforms(name)));
         let [ada, bob, eve] = [
             "Ada_11_assignsubmission_file_hw.zip",
             "Bob_12_assignsubmission_file_hw.zip",

@@ -61,6 +61,11 @@ impl NamePattern {
         !is_bare && self.own(name).is_some_and(|own| !own.is_empty())
     }
 
+    /// Whether a text is what Blackboard writes before the time, as the instructor has described it.
+    pub fn is_login(&self, text: &str) -> bool {
+        self.key == Key::Id && self.fits(text)
+    }
+
     /// The part of a name that says whose it is, if the name has this pattern.
     pub fn own<'t>(&self, name: &'t str) -> Option<&'t str> {
         let rest = name.strip_prefix(&*self.before)?;

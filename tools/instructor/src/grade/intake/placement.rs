@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::Entry;
-use super::account::{title, with_account, with_login};
+use super::account::{with_account, with_login};
 use super::index::{Index, once};
 use super::matching::Proof;
 use super::names::Sign;
@@ -62,29 +62,19 @@ impl Placement {
 struct Names<'a> {
     index: Index<'a>,
     named: &'a NamePattern,
-    /// What Blackboard writes before logins.
-    title: String,
 }
 
 impl<'a> Names<'a> {
-    fn of(entries: &[Entry], people: &'a [Person], named: &'a NamePattern) -> Names<'a> {
-        let logins = entries.iter().filter_map(|entry| match &entry.signs[..] {
-            [Sign::Login(text)] => Some(text.as_str()),
-            _ => None,
-        });
-        // Somebody may have handed in many attempts.
-        let logins: BTreeSet<&str> = logins.collect();
-        let index = Index::of(people);
-        Names {
-            title: title(&logins, &index),
-            index,
-            named,
-        }
-    }
-
     fn is_contested(&self, entry: &Entry, person: &Person) -> bool {
         match &entry.signs[..] {
             [Sign::Plain(name)] => plain::is_contested(name, person, self.named, &self.index),
+            [Sign::Login(text)] => {
+                let is_other = self
+                    .named
+                    .own(text)
+                    .is_some_and(|it| has_other_login(it, person));
+                is_other || plain::is_contested(text, person, self.named, &self.index)
+            }
             _ => false,
         }
     }
@@ -92,7 +82,10 @@ impl<'a> Names<'a> {
     /// The people that a sign may mean, and how much it proves if it means only one.
     fn meant(&self, sign: &Sign) -> (Proof, Vec<&'a Person>) {
         match sign {
-            Sign::Login(text) => with_login(text, &self.title, &self.index),
+            Sign::Login(text) if self.named.is_login(text) => {
+                plain::meant(text, self.named, &self.index)
+            }
+            Sign::Login(text) => with_login(text, &self.index),
             Sign::Account {
                 number,
                 name,
@@ -101,6 +94,13 @@ impl<'a> Names<'a> {
             Sign::Plain(name) => plain::meant(name, self.named, &self.index),
         }
     }
+}
+
+/// Whether the university assigned other logins than this one to a person. It may be somebody else's
+/// then, even if it is the person's id.
+fn has_other_login(login: &str, person: &Person) -> bool {
+    let own: Vec<&String> = person.assigned_logins().collect();
+    !own.is_empty() && !own.iter().any(|own| own.eq_ignore_ascii_case(login))
 }
 
 /// The people that an entry may belong to, each once, and how well that is proved.
@@ -130,7 +130,10 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
         ..Placement::default()
     };
     let Some(people) = people else { return placed };
-    let names = Names::of(entries, people, named);
+    let names = Names {
+        index: Index::of(people),
+        named,
+    };
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
     let given = entries.iter().filter(is_given).count();

@@ -190,10 +190,11 @@ impl<'a> Reader<'a> {
     /// each of them read as far as a whole submission.
     fn name_submissions(&mut self, names: TopNames) {
         self.is_wrapped = names.tops.len() == 1 && !names.inside.contains(&None);
-        self.platform = match self.is_wrapped {
-            true => names::exported_by(names.inside.iter().flatten()),
-            false => names::exported_by(names.tops.iter()),
+        let own: Vec<&String> = match self.is_wrapped {
+            true => names.inside.iter().flatten().collect(),
+            false => names.tops.iter().collect(),
         };
+        self.platform = names::exported_by(own.into_iter().map(|it| names::platforms(it)));
     }
 
     /// How many parts of a path distinguish submissions.

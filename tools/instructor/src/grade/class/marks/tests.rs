@@ -19,7 +19,7 @@ pub fn entry(id: &str, person: &str, given: &str) -> Entry {
         id: id.into(),
         name: id.into(),
         given: vec![given.into()],
-        platform: names::exported_by([given.to_owned()].iter()),
+        platform: names::exported_by([names::platforms(given)].into_iter()),
         signs: vec![Sign::Plain(person.into())],
         at_most: Proof::Id,
         notes: Vec::new(),

@@ -484,93 +484,32 @@ fn a_single_name_like_a_platforms_is_listed_even_if_there_is_no_other() {
 }
 
 #[test]
-fn a_login_that_blackboard_writes_is_certain_only_after_the_title_of_all() {
+fn a_login_that_blackboard_writes_is_certain_only_if_the_title_is_known() {
     let mut people = people();
-    for (person, login) in people.iter_mut().zip(["al", "x_bob", "zm"]) {
+    for (person, login) in people.iter_mut().zip(["al", "x_bob", "stud_s4"]) {
         person.logins = vec![login.into()];
     }
-    let of = |login: &str| format!("HW_1_{login}_attempt_2026-11-20-23-00-00");
-    let [ada, bob, zoe] = ["al", "x_bob", "zm"].map(of);
-    let placed = place(
-        &entries(&[&ada, &bob, &zoe]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.of.len(), 3);
-    assert!(placed.by_name.is_empty(), "{placed:?}");
-    // The beginning of an address may be a latecomer's login.
-    people[2].logins = vec!["zm@x.org".into()];
-    let placed = place(
-        &entries(&[&ada, &bob, &zoe]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.ambiguous[&zoe], people[2..3], "{placed:?}");
-    // People may have typed in an address.
-    let zoes = of("zm@x.org");
-    let placed = place(
-        &entries(&[&ada, &bob, &zoes]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.by_name, [zoes], "{placed:?}");
-    // Nobody has somebody else's login by an address.
-    people[2].logins = vec!["zm@x.org".into(), "al@x.org".into()];
-    let placed = place(
-        &entries(&[&ada, &bob, &zoe]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
-    // Many attempts of one person don't make a title.
-    let other = |hour: u32| format!("HW_1_y_al_attempt_2026-11-20-{hour}-00-00");
-    let others: Vec<String> = (10..20).map(other).collect();
-    let all = others.iter().chain([&ada, &bob]).map(String::as_str);
-    let placed = place(
-        &entries(&all.collect::<Vec<_>>()),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.of[&ada].id, "s1", "{placed:?}");
-    // A login may end in another person's.
-    people[3].logins = vec!["bob".into()];
-    let placed = place(&entries(&[&bob]), Some(&people), &NamePattern::default());
-    assert_eq!(placed.ambiguous[&bob].len(), 2, "{placed:?}");
-    let placed = place(
-        &entries(&[&ada, &bob]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.of[&bob].id, "s2", "{placed:?}");
-    // All logins may begin alike, and end in other people's ids.
-    for (person, login) in people.iter_mut().zip(["stud_al", "stud_bob", "stud_zm"]) {
-        person.logins = vec![login.into()];
-    }
-    let [ada, zoe, stranger, other] = ["stud_al", "stud_zm", "stud_s2", "stud_s4"].map(of);
-    let placed = place(
-        &entries(&[&ada, &zoe, &stranger, &other]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.unknown, [stranger, other], "{placed:?}");
-    assert!(placed.by_name.is_empty(), "{placed:?}");
-    // The title may be `HW_1_x` or `HW_1`.
-    let [of_bob, of_sam] = ["x_bob", "x_s4"].map(of);
-    people[0].logins = vec!["x_bob".into()];
-    people[1].logins = vec!["x_s4".into()];
-    let placed = place(
-        &entries(&[&of_bob, &of_sam]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.contested, [of_bob, of_sam], "{placed:?}");
-    // Most logins may be strangers' and begin alike.
-    people[2].logins = vec!["zm".into()];
-    let [zoe, stranger, other] = ["zm", "ext_s2", "ext_s4"].map(of);
-    let placed = place(
-        &entries(&[&zoe, &stranger, &other]),
-        Some(&people),
-        &NamePattern::default(),
-    );
-    assert_eq!(placed.by_name.len(), 3, "{placed:?}");
+    let class = ["al", "x_bob", "stud_s4", "ext_s5", "S7"];
+    let class = class.map(|login| format!("HW_1_{login}_attempt_2026-11-20-23-00-00"));
+    let [ada, bob, zoe, stranger, pat] = class.each_ref().map(String::as_str);
+    let placed = |people: &[Person], named: &NamePattern| {
+        let entries = entries(&class.each_ref().map(String::as_str));
+        place(&entries, Some(people), named)
+    };
+    let of = placed(&people, &NamePattern::default());
+    assert_eq!(of.by_name, [ada, bob, stranger, pat], "{of:?}");
+    assert_eq!(of.ambiguous[zoe].len(), 2, "{of:?}");
+    let named = "HW_1_{id}".parse().expect("it is a pattern");
+    let of = placed(&people, &named);
+    let ids = [ada, bob, zoe, pat].map(|name| &*of.of[name].id);
+    assert_eq!(ids, ["s1", "s2", "s3", "s7"]);
+    assert_eq!(of.ambiguous[stranger], people[4..5], "{of:?}");
+    assert!(of.by_name.is_empty() && of.contested.is_empty(), "{of:?}");
+    // A group may have chosen a login, and somebody's login may be another person's id.
+    people[3].group = Some("al".into());
+    people[6].logins = vec!["pat".into()];
+    assert_eq!(placed(&people, &named).contested, [ada, pat]);
+    // People may have typed in an address, and its beginning may be somebody else's login.
+    people[0].logins = vec!["al@x.org".into()];
+    assert_eq!(placed(&people, &named).ambiguous[ada].len(), 2);
 }

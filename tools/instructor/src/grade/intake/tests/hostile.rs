@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::grade::intake::placement::Placement;
+use crate::grade::intake::placement::tests::person;
 
 #[test]
 fn an_archive_with_other_peoples_names_is_one_submission() {
@@ -65,11 +66,6 @@ fn submissions_of_the_same_name_are_listed() {
 
 #[test]
 fn a_folder_named_after_a_person_is_not_a_class() {
-    let person = |id: &str, name: &str| Person {
-        id: id.into(),
-        name: name.into(),
-        ..Person::default()
-    };
     let people = [
         person("bob", "Bob Brown"),
         person("eve", "Eve Malory"),
@@ -183,22 +179,71 @@ fn blackboard_names_the_person_before_the_attempt_and_the_uploader_names_the_res
     let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
     assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
     assert_eq!(found.1.unknown.len(), 1, "{:#?}", found.1);
-    // A login that ends with another person's login is not that person's.
-    export.put(
-        "class/HW1_bb1_attempt_2026-11-20-19-00-00_hw.zip",
-        &zip(&answers("", "bob")),
+    assert_eq!(
+        found.1.by_name.len(),
+        1,
+        "it may be x_al1's: {:#?}",
+        found.1
     );
-    export.put(
-        "class/HW1_x_al1_attempt_2026-11-20-22-00-00_hw.zip",
-        &zip(&answers("", "mallory")),
-    );
-    let roster = "id,name,login\n1,Ada Lovelace,al1\n2,Bob Byron,bb1\n";
-    let found = placed(&export, &["class"], roster);
-    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
-    assert!(found.1.by_name.is_empty(), "{:#?}", found.1);
     // Without logins on the roster, no submission is guessed to be anybody's.
     let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
     assert!(found.1.of.is_empty(), "{:#?}", found.1);
+}
+
+#[test]
+fn blackboards_title_is_what_the_instructor_says() {
+    let export = Export::new();
+    // All of these could also be Canvas's, because the title contains a number.
+    for (login, author) in [("1001", "ada"), ("1002", "bob"), ("stud_1001", "mallory")] {
+        let name = format!("HW_1_{login}_attempt_2026-11-20-20-00-00");
+        let upload = zip(&answers("", author));
+        export.put(
+            &format!("class/{name}_x_attempt_2026-11-20-10-00-00.zip"),
+            &upload,
+        );
+        export.put(&format!("class/{name}.txt"), b"Files: 1");
+    }
+    let people = [("1001", "Ada Lovelace"), ("1002", "Bob Byron")];
+    let people = people.map(|(id, name)| person(id, name));
+    let found = placed_among(&export, &["class"], &people, "HW_1_{id}");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    assert_eq!(
+        all_of(&found, "1002"),
+        ["// sphere by bob"],
+        "{:#?}",
+        found.1
+    );
+    let (intake, placed) = found;
+    assert_eq!(intake.entries.len(), 3, "{intake:#?}");
+    assert!(intake.ignored.is_empty(), "{:?}", intake.ignored);
+    let of_mallory = "HW_1_stud_1001_attempt_2026-11-20-20-00-00";
+    assert_eq!(placed.ambiguous[of_mallory], people[..1], "{placed:#?}");
+    assert!(
+        placed.by_name.is_empty() && placed.contested.is_empty(),
+        "{placed:#?}"
+    );
+    for entry in &intake.entries {
+        let time = names::handed_in(&entry.given, Platform::Blackboard);
+        assert_eq!(entry.platform, Some(Platform::Blackboard));
+        assert!(time.is_some(), "{entry:?}");
+    }
+    // A clone is named by the instructor alone.
+    export.put_all(
+        "clones/hw1-ada_attempt_2026-11-20-20-00-00",
+        answers("", "mallory"),
+    );
+    export.put_all("clones/hw1-bob", answers("", "bob"));
+    let people = people.map(|it| Person {
+        group: Some(if it.id == "1001" { "ada" } else { "bob" }.into()),
+        ..it
+    });
+    let (_, placed) = placed_among(&export, &["clones"], &people, "hw1-{group}");
+    assert_eq!(placed.of.len(), 1, "{placed:#?}");
 }
 
 #[test]
