@@ -183,7 +183,7 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<Vec<TimeLine>> {
         "lastmodifiedsubmission",
         "created",
     ];
-    let remedy = "save it as a CSV file whose first line is: id,time";
+    let remedy = "correct it, or save it as a CSV file whose first line is: id,time";
     Table::read(path, "list of times", remedy, |table| {
         let who = WHO.iter();
         let who = who.filter_map(|(name, kind)| Some((*kind, table.column(&[name])?)));
@@ -223,7 +223,7 @@ enum GroupKey<'a> {
 }
 
 fn groups_in(path: &Path) -> Result<Vec<Group>> {
-    let remedy = "save it as a CSV file whose first line is: id,group";
+    let remedy = "correct it, or save it as a CSV file whose first line is: id,group";
     // The id of a person without a university id is Canvas's number.
     const MEMBER: [&str; 5] = ["id", "userid", "sisuserid", "idnumber", "canvasuserid"];
     Table::read(path, "list of groups", remedy, |table| {

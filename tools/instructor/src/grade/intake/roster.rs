@@ -105,7 +105,7 @@ const POINTS_POSSIBLE: &str = "Points Possible";
 
 /// The people of a course, in the file's order.
 pub fn read(path: &Path) -> Result<Vec<Person>> {
-    let remedy = "save it as a CSV file whose first line is: id,name,section";
+    let remedy = "correct it, or save it as a CSV file whose first line is: id,name,section";
     Table::read(path, "roster", remedy, people)
 }
 
@@ -180,7 +180,9 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
                 other.name
             ));
         }
-        let github = github_login(cell(github));
+        let github = cell(github);
+        let wrong = || format!("line {line}: `{github}` is not a login on GitHub");
+        let github = github_login(github).ok_or_else(wrong)?;
         people.push(Person {
             id: own.to_owned(),
             has_assigned_id: is_assigned(column) && !own.contains('@') && own != github,
@@ -202,10 +204,13 @@ fn people(table: Table) -> std::result::Result<Vec<Person>, String> {
     }
 }
 
-/// A login on GitHub that may be written as `@login` or as an address.
-fn github_login(text: &str) -> &str {
-    let login = text.trim_end_matches('/').rsplit('/').next();
-    login.unwrap_or(text).trim_start_matches('@')
+/// A login on GitHub that may be written as `@login` or as an address, but not as a repository's address.
+fn github_login(text: &str) -> Option<&str> {
+    let path = text
+        .split_once("github.com/")
+        .map_or(text, |(_, path)| path);
+    let login = path.trim_end_matches('/').trim_start_matches('@');
+    (!login.contains('/')).then_some(login)
 }
 
 #[cfg(test)]
@@ -255,6 +260,12 @@ mod tests {
         assert_eq!(people[1].logins, [""; 0], "Bob may have chosen it");
         let github = people.iter().filter_map(|it| it.github.as_deref());
         assert_eq!(github.collect::<Vec<_>>(), ["countess", "bob"]);
+        let list = "id,name,github\n1,Ada,https://github.com/ada/bob\n";
+        let why = self::people(list.as_bytes()).expect_err("it is a repository");
+        assert!(
+            why.starts_with("line 2: `https://github.com/ada/bob`"),
+            "{why}"
+        );
     }
 
     #[test]
