@@ -146,7 +146,7 @@ pub fn find(
             format_args!("cannot read {}", path.display()),
             "name a submission, or a folder of submissions",
         )?;
-        let read = link::refuse_input(path).and_then(|()| reader::read(path, &is_answer));
+        let read = link::refuse_input(path).and_then(|()| reader::read(path, &is_answer, &named));
         let found = match read {
             Ok(read) => read,
             Err(error) if paths.len() == 1 => return Err(error),

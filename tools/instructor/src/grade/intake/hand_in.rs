@@ -66,34 +66,19 @@ pub fn account(name: &str, named: &NamePattern) -> String {
     reading(name, None, named).map_or(name.into(), |it| it.submission)
 }
 
-/// All ways to read a name as a platform's. What the instructor says of names outweighs these, but
-/// Blackboard adds a time and a file's name to it.
-fn readings<'n>(
-    name: &'n str,
-    from: Option<Platform>,
-    named: &NamePattern,
-) -> Vec<PlatformName<'n>> {
-    let mut all = names::readings(name, from);
-    let is_login =
-        |it: &PlatformName| it.platform == Platform::Blackboard && named.is_login(it.person);
-    let is_said = named.fits(file_names::stem(name)) || all.iter().any(is_login);
-    all.retain(|it| !is_said || is_login(it));
-    all
-}
-
 /// The only one of these ways.
 fn reading<'n>(
     name: &'n str,
     from: Option<Platform>,
     named: &NamePattern,
 ) -> Option<PlatformName<'n>> {
-    names::only(readings(name, from, named))
+    names::only(named.readings(name, from))
 }
 
 /// The possible meanings of a name (several if it fits several platforms), and the most that they
 /// can prove. The name of an archive may be its author's choice, unless it comes from this platform.
 pub fn signs(name: &str, from: Option<Platform>, named: &NamePattern) -> (Vec<Sign>, Proof) {
-    let platforms = readings(name, from, named);
+    let platforms = named.readings(name, from);
     let is_archive = file_names::is_archive(name);
     let is_given = platforms.iter().any(|it| Some(it.platform) == from);
     let at_most = match is_archive && !is_given {
@@ -115,15 +100,13 @@ pub fn signs(name: &str, from: Option<Platform>, named: &NamePattern) -> (Vec<Si
 /// Divides the files of a class among its people.
 pub fn of_class(tops: Tops, named: &NamePattern) -> (Vec<HandIn>, Vec<String>) {
     let mut ignored = Vec::new();
-    let read = tops.keys().map(|top| (top, readings(top, None, named)));
-    let others = read.filter(|(top, all)| !all.is_empty() || !named.fits(file_names::stem(top)));
-    let platform = names::exported_by(others.map(|(_, all)| all));
+    let platform = named.exported_by(tops.keys());
     let mut all: BTreeMap<String, Vec<(String, Vec<FoundFile>)>> = BTreeMap::new();
     for (top, found) in tops {
         let holds = |it: &FoundFile| {
             it.path.len() > 1 || !matches!(it.content, Content::Other | Content::Answer { .. })
         };
-        let name = match &readings(&top, platform, named)[..] {
+        let name = match &named.readings(&top, platform)[..] {
             [only] => only.submission.clone(),
             [] if !found.iter().any(holds) => {
                 let is_settings = top.starts_with('.') && !top.ends_with('/');
@@ -137,7 +120,7 @@ pub fn of_class(tops: Tops, named: &NamePattern) -> (Vec<HandIn>, Vec<String>) {
     let accounts: BTreeSet<String> = all.keys().cloned().collect();
     let may_be_later = |hand_in: &HandIn| {
         let name = &hand_in.name;
-        let mut others = readings(name, platform, named).into_iter();
+        let mut others = named.readings(name, platform).into_iter();
         others.any(|it| it.submission != *name && accounts.contains(&it.submission))
     };
     let all = all.into_iter().map(|(name, parts)| {

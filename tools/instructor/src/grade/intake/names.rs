@@ -262,19 +262,15 @@ pub fn only(mut all: Vec<PlatformName<'_>>) -> Option<PlatformName<'_>> {
     all.pop().filter(|_| all.is_empty())
 }
 
-/// Whose upload this may be: all with this text are one person's. If a name can be read in several
-/// ways, its author may have made it look like somebody else's, so the text is nobody's clear name.
-pub fn account(name: &str, from: Option<Platform>) -> String {
-    match &readings(name, from)[..] {
+/// Whose upload this may be, given all ways to read its name: all with this text are one person's. If
+/// there are several ways, its author may have made it look like somebody else's, so the text is
+/// nobody's clear name.
+pub fn account(name: &str, all: &[PlatformName]) -> String {
+    match all {
         [] => name.into(),
         [only] => format!("{}_{}", only.person, only.number),
         [first, ..] => format!("{}_{}?", first.person, first.number),
     }
-}
-
-/// Whether a name can be read in several ways.
-pub fn is_unclear(name: &str, from: Option<Platform>) -> bool {
-    readings(name, from).len() > 1
 }
 
 /// The platform that has exported a class: the one as whose most of its names can be read, given the

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::index::{Index, once};
 use super::matching::{Proof, without_accents};
+use super::names::{self, Platform, PlatformName};
 use super::reader::file_names;
 use super::roster::Person;
 
@@ -64,6 +65,25 @@ impl NamePattern {
     /// Whether a text is what Blackboard writes before the time, as the instructor has described it.
     pub fn is_login(&self, text: &str) -> bool {
         self.key == Key::Id && self.fits(text)
+    }
+
+    /// All ways to read a name as a platform's. What the instructor says of names outweighs these, but
+    /// Blackboard adds a time and a file's name to it.
+    pub fn readings<'n>(&self, name: &'n str, from: Option<Platform>) -> Vec<PlatformName<'n>> {
+        let mut all = names::readings(name, from);
+        let is_login =
+            |it: &PlatformName| it.platform == Platform::Blackboard && self.is_login(it.person);
+        let is_said = self.fits(file_names::stem(name)) || all.iter().any(is_login);
+        all.retain(|it| !is_said || is_login(it));
+        all
+    }
+
+    /// The platform that has exported files of these names.
+    pub fn exported_by<'a>(&self, names: impl Iterator<Item = &'a String>) -> Option<Platform> {
+        let read = names.map(|name| (name, self.readings(name, None)));
+        let others =
+            read.filter(|(name, all)| !all.is_empty() || !self.fits(file_names::stem(name)));
+        names::exported_by(others.map(|(_, all)| all))
     }
 
     /// The part of a name that says whose it is, if the name has this pattern.

@@ -19,6 +19,7 @@ use self::file_names::{is_archive, is_skipped};
 use self::limits::Limits;
 pub use self::unpack::utf_16;
 use super::names::{self, Platform};
+use super::pattern::NamePattern;
 use pinhole_course::error::{Error, Result, ResultExt};
 use pinhole_course::submission::AnswerFileProblem;
 use pinhole_course::submission::text::{self, Text};
@@ -66,15 +67,16 @@ pub struct Found {
     pub is_wrapped: bool,
 }
 
-/// Reads everything in a folder or an archive. `is_answer` recognises the names of answer files.
+/// Reads everything in a folder or an archive. `is_answer` recognises the names of answer files, and
+/// `named` says how submissions are named.
 /// Neither follows a link nor waits for another process.
 ///
 /// # Errors
 /// If it can't be read, or is neither a folder nor a regular file, or if it contains too much.
-pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Found> {
+pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool, named: &NamePattern) -> Result<Found> {
     let unreadable = text::unreadable(path);
     let is_archive = !path.symlink_metadata().or_fail(&unreadable)?.is_dir();
-    let mut reader = Reader::new(is_answer);
+    let mut reader = Reader::new(is_answer, named);
     match is_archive {
         false => folder::read(&mut reader, path).or_fail(&unreadable)?,
         true => {
@@ -120,6 +122,7 @@ pub fn read(path: &Path, is_answer: &dyn Fn(&str) -> bool) -> Result<Found> {
 
 struct Reader<'a> {
     is_answer: &'a dyn Fn(&str) -> bool,
+    named: &'a NamePattern,
     found: Vec<FoundFile>,
     /// What may still be read of each submission, by the path of its account.
     of_each: BTreeMap<Vec<String>, SubmissionReadBudget>,
@@ -173,9 +176,10 @@ struct SubmissionReadBudget {
 }
 
 impl<'a> Reader<'a> {
-    fn new(is_answer: &'a dyn Fn(&str) -> bool) -> Reader<'a> {
+    fn new(is_answer: &'a dyn Fn(&str) -> bool, named: &'a NamePattern) -> Reader<'a> {
         Reader {
             is_answer,
+            named,
             found: Vec::new(),
             of_each: BTreeMap::new(),
             last: Default::default(),
@@ -190,11 +194,10 @@ impl<'a> Reader<'a> {
     /// each of them read as far as a whole submission.
     fn name_submissions(&mut self, names: TopNames) {
         self.is_wrapped = names.tops.len() == 1 && !names.inside.contains(&None);
-        let own: Vec<&String> = match self.is_wrapped {
-            true => names.inside.iter().flatten().collect(),
-            false => names.tops.iter().collect(),
+        self.platform = match self.is_wrapped {
+            true => self.named.exported_by(names.inside.iter().flatten()),
+            false => self.named.exported_by(names.tops.iter()),
         };
-        self.platform = names::exported_by(own.into_iter().map(|it| names::platforms(it)));
     }
 
     /// How many parts of a path distinguish submissions.
@@ -207,7 +210,7 @@ impl<'a> Reader<'a> {
         if self.last.0 != own {
             let mut account = own.to_vec();
             if let Some(name) = account.last_mut().filter(|it| it.len() <= LONGEST_NAME) {
-                *name = names::account(name, self.platform);
+                *name = names::account(name, &self.named.readings(name, self.platform));
             }
             self.last = (own.to_vec(), account);
         }
@@ -253,7 +256,7 @@ impl<'a> Reader<'a> {
         if self.stopped.insert(path.clone()) {
             let is_shared = path
                 .last()
-                .is_some_and(|it| names::is_unclear(it, self.platform));
+                .is_some_and(|it| self.named.readings(it, self.platform).len() > 1);
             let content = match (is_shared, is_late) {
                 (true, _) => Content::Unreadable(format!(
                     "together with uploads whose names begin alike, {why}"

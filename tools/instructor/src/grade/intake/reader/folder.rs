@@ -223,6 +223,7 @@ mod held {
 
 #[cfg(all(test, unix))]
 mod tests {
+    use super::super::super::pattern::NamePattern;
     use super::*;
 
     #[test]
@@ -232,7 +233,8 @@ mod tests {
         std::fs::create_dir(&ada).expect("there is room");
         std::fs::write(ada.join("answer.rs"), "").expect("there is room");
         std::os::unix::fs::symlink(&ada, &mallory).expect("there is room");
-        let mut reader = Reader::new(&|_| true);
+        let named = NamePattern::default();
+        let mut reader = Reader::new(&|_| true, &named);
         assert!(read(&mut reader, &mallory).is_err());
         assert_eq!(reader.found, []);
         assert!(read(&mut reader, &ada).is_ok());

@@ -188,6 +188,7 @@ fn record(key: &[u8], mut bytes: &[u8]) -> Result<Option<Vec<u8>>, String> {
 mod tests {
     use std::time::Duration;
 
+    use super::super::super::pattern::NamePattern;
     use super::*;
 
     #[test]
@@ -233,7 +234,12 @@ mod tests {
             let mut file = tempfile::tempfile().expect("there is room");
             let written = file.write_all(&tar.into_inner().expect("it ends"));
             written.and_then(|()| file.rewind()).expect("there is room");
-            read(&mut Reader::new(&|_| true), file, &[], 0)
+            read(
+                &mut Reader::new(&|_| true, &NamePattern::default()),
+                file,
+                &[],
+                0,
+            )
         };
         assert!(sized("1").is_ok());
         let result = sized("8589934592");
@@ -276,7 +282,12 @@ mod tests {
         let mut file = tempfile::tempfile().expect("there is room");
         let written = file.write_all(&[&header.as_bytes()[..], &[0; 3 * 512]].concat());
         written.and_then(|()| file.rewind()).expect("there is room");
-        let result = read(&mut Reader::new(&|_| true), file, &[], 0);
+        let result = read(
+            &mut Reader::new(&|_| true, &NamePattern::default()),
+            file,
+            &[],
+            0,
+        );
         assert!(matches!(result, Err(ReadFailure::Refused(why)) if why.contains("sparse")));
     }
 
@@ -293,7 +304,8 @@ mod tests {
             let mut same = file.try_clone().expect("it is open");
             let limits = Limits::of_one(None).with_time(time);
             limits.start_clock();
-            let mut reader = Reader::new(&|_| true);
+            let named = NamePattern::default();
+            let mut reader = Reader::new(&|_| true, &named);
             reader.whole = Rc::new(limits);
             let result = super::read(&mut reader, file, &[], 0);
             (result, same.stream_position().expect("it is open"))

@@ -203,6 +203,11 @@ fn blackboards_title_is_what_the_instructor_says() {
         );
         export.put(&format!("class/{name}.txt"), b"Files: 1");
     }
+    // Somebody who hands in too much takes nothing from the others.
+    for k in 10..30 {
+        let name = format!("class/HW_1_2001_attempt_2026-11-20-10-{k}-00_hw.zip");
+        export.put(&name, &zip(&archives::many_answers("")));
+    }
     let people = [("1001", "Ada Lovelace"), ("1002", "Bob Byron")];
     let people = people.map(|(id, name)| person(id, name));
     let found = placed_among(&export, &["class"], &people, "HW_1_{id}");
@@ -219,7 +224,7 @@ fn blackboards_title_is_what_the_instructor_says() {
         found.1
     );
     let (intake, placed) = found;
-    assert_eq!(intake.entries.len(), 3, "{intake:#?}");
+    assert_eq!(intake.entries.len(), 23, "{intake:#?}");
     assert!(intake.ignored.is_empty(), "{:?}", intake.ignored);
     let of_mallory = "HW_1_stud_1001_attempt_2026-11-20-20-00-00";
     assert_eq!(placed.ambiguous[of_mallory], people[..1], "{placed:#?}");
