@@ -194,7 +194,7 @@ fn blackboard_names_the_person_before_the_attempt_and_the_uploader_names_the_res
 fn blackboards_title_is_what_the_instructor_says() {
     let export = Export::new();
     // All of these could also be Canvas's, because the title contains a number.
-    for (login, author) in [("1001", "ada"), ("1002", "bob"), ("stud_1001", "mallory")] {
+    for (login, author) in [("1001", "ada"), ("1002", "bob"), ("7_1001", "mallory")] {
         let name = format!("HW_1_{login}_attempt_2026-11-20-20-00-00");
         let upload = zip(&answers("", author));
         export.put(
@@ -205,7 +205,7 @@ fn blackboards_title_is_what_the_instructor_says() {
     }
     // Somebody who hands in too much takes nothing from the others.
     for k in 10..30 {
-        let name = format!("class/HW_1_2001_attempt_2026-11-20-10-{k}-00_hw.zip");
+        let name = format!("class/HW_1_1000_attempt_2026-11-20-10-{k}-00_hw.zip");
         export.put(&name, &zip(&archives::many_answers("")));
     }
     let people = [("1001", "Ada Lovelace"), ("1002", "Bob Byron")];
@@ -226,7 +226,7 @@ fn blackboards_title_is_what_the_instructor_says() {
     let (intake, placed) = found;
     assert_eq!(intake.entries.len(), 23, "{intake:#?}");
     assert!(intake.ignored.is_empty(), "{:?}", intake.ignored);
-    let of_mallory = "HW_1_stud_1001_attempt_2026-11-20-20-00-00";
+    let of_mallory = "HW_1_7_1001_attempt_2026-11-20-20-00-00";
     assert_eq!(placed.ambiguous[of_mallory], people[..1], "{placed:#?}");
     assert!(
         placed.by_name.is_empty() && placed.contested.is_empty(),
