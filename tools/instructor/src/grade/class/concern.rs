@@ -49,7 +49,8 @@ impl Roll {
             ),
             (
                 "whose owner is uncertain: put each into a folder named after the person's id, or say \
-                 how all of them are named (such as `--named 'hw1-{github}'`)",
+                 how all of them are named (such as `--named 'hw1-{github}'`, or `--named 'HW1_{id}'` for \
+                 Blackboard)",
                 true,
                 ambiguous.collect(),
             ),
