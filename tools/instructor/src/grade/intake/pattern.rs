@@ -78,12 +78,10 @@ impl NamePattern {
         all
     }
 
-    /// The platform that has exported files of these names.
+    /// The platform that has exported files of these names. A name that the instructor gave, such as a
+    /// clone's, is no platform's.
     pub fn exported_by<'a>(&self, names: impl Iterator<Item = &'a String>) -> Option<Platform> {
-        let read = names.map(|name| (name, self.readings(name, None)));
-        let others =
-            read.filter(|(name, all)| !all.is_empty() || !self.fits(file_names::stem(name)));
-        names::exported_by(others.map(|(_, all)| all))
+        names::exported_by(names.map(|name| self.readings(name, None)))
     }
 
     /// The part of a name that says whose it is, if the name has this pattern.

@@ -54,6 +54,26 @@ fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
 }
 
 #[test]
+fn a_branch_named_like_a_platforms_file_gives_no_time() {
+    let export = Export::new();
+    let names = ["ada-main", "bob-main", "mal-x_attempt_2026-11-19-10-00-00"];
+    for name in names {
+        export.put(
+            &format!("class/hw1-{name}.zip"),
+            &zip(&answers("", "somebody")),
+        );
+    }
+    let people = ["ada", "bob", "mal"].map(|login| Person {
+        github: Some(login.into()),
+        ..placement::tests::person(login, login)
+    });
+    let (intake, _) = hostile::placed_among(&export, &["class"], &people, "hw1-{github}-main");
+    for entry in intake.entries {
+        assert_eq!(entry.platform, None, "{entry:?}");
+    }
+}
+
+#[test]
 fn somebody_whose_name_begins_with_a_dot_has_handed_in() {
     let export = Export::new();
     let folders = [". Ada", "Bob", ".git"];
