@@ -189,6 +189,8 @@ pub fn find(
         ));
     }
     let mut taken = BTreeSet::new();
+    // A name that may stay as it is comes first, so nobody else gets an id like it.
+    handed_in.sort_by_key(|it| plain(&it.name) != file_names::stem(&it.name));
     for one in handed_in {
         let entry = entry(one, assignment, &mut taken, &mut intake.superseded);
         intake.entries.push(entry);

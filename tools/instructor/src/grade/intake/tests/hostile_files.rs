@@ -124,6 +124,18 @@ fn a_hostile_name_becomes_a_plain_folder_of_its_own() {
 }
 
 #[test]
+fn a_name_that_is_another_names_id_keeps_its_own_folder() {
+    let export = Export::new();
+    let names = ["=ada".to_owned(), plain("=ada")];
+    for name in &names {
+        export.put_all(&format!("class/{name}"), answers("", "somebody"));
+    }
+    let entries = export.find("class").entries;
+    let entry = entries.iter().find(|it| it.name == names[1]);
+    assert_eq!(entry.map(|it| &it.id), Some(&names[1]), "{entries:?}");
+}
+
+#[test]
 fn a_name_of_thousands_of_words_is_compared_quickly() {
     let export = Export::new();
     let words = vec!["a"; 2000].join("-");
