@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::index::{Index, once};
 use super::matching::{Proof, without_accents};
-use super::names::{self, Platform, PlatformName};
+use super::names::{self, Platform, PlatformName, Sign};
 use super::reader::file_names;
 use super::roster::Person;
 
@@ -62,26 +62,38 @@ impl NamePattern {
         !is_bare && self.own(name).is_some_and(|own| !own.is_empty())
     }
 
-    /// Whether a text is what Blackboard writes before the time, as the instructor has described it.
-    pub fn is_login(&self, text: &str) -> bool {
-        self.key == Key::Id && self.fits(text)
-    }
-
     /// All ways to read a name as a platform's. What the instructor says of names outweighs these, but
     /// Blackboard adds a time and a file's name to it.
     pub fn readings<'n>(&self, name: &'n str, from: Option<Platform>) -> Vec<PlatformName<'n>> {
         let mut all = names::readings(name, from);
-        let is_login =
-            |it: &PlatformName| it.platform == Platform::Blackboard && self.is_login(it.person);
+        let is_login = |it: &PlatformName| self.is_login(&it.sign());
         let is_said = self.fits(file_names::stem(name)) || all.iter().any(is_login);
         all.retain(|it| !is_said || is_login(it));
         all
     }
 
-    /// The platform that has exported files of these names. A name that the instructor gave, such as a
-    /// clone's, is no platform's.
+    /// The platform that has exported files of these names.
     pub fn exported_by<'a>(&self, names: impl Iterator<Item = &'a String>) -> Option<Platform> {
-        names::exported_by(names.map(|name| self.readings(name, None)))
+        let read = names.map(|name| {
+            let mut all = self.readings(name, None);
+            all.retain(|it| self.is_platforms(&it.sign()));
+            all
+        });
+        names::exported_by(read)
+    }
+
+    /// Whether a sign may come from a platform, and not from somebody who named a branch like a platform's
+    /// file. If the instructor has said how submissions are named, only these names come from anywhere.
+    pub fn is_platforms(&self, sign: &Sign) -> bool {
+        match sign {
+            Sign::Plain(_) => false,
+            _ => *self == NamePattern::default() || self.is_login(sign),
+        }
+    }
+
+    /// Whether this is what Blackboard writes before the time, as the instructor has described it.
+    pub fn is_login(&self, sign: &Sign) -> bool {
+        matches!(sign, Sign::Login(text) if self.key == Key::Id && self.fits(text))
     }
 
     /// The part of a name that says whose it is, if the name has this pattern.

@@ -82,7 +82,7 @@ impl<'a> Names<'a> {
     /// The people that a sign may mean, and how much it proves if it means only one.
     fn meant(&self, sign: &Sign) -> (Proof, Vec<&'a Person>) {
         match sign {
-            Sign::Login(text) if self.named.is_login(text) => {
+            Sign::Login(text) if self.named.is_login(sign) => {
                 plain::meant(text, self.named, &self.index)
             }
             Sign::Login(text) => with_login(text, &self.index),
@@ -136,7 +136,8 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     };
     // Beside uploads that no platform has named, somebody may have chosen a name like a platform's.
     let is_given = |entry: &&Entry| !matches!(entry.signs[..], [Sign::Plain(_)]);
-    let given = entries.iter().filter(is_given).count();
+    let is_platforms = |entry: &&Entry| entry.signs.iter().any(|it| named.is_platforms(it));
+    let given = entries.iter().filter(is_platforms).count();
     let is_export = given > 1 && 2 * given > entries.len();
     let meant: Vec<_> = entries.iter().map(|entry| owners(entry, &names)).collect();
     // How many submissions may be a person's, without those that may be somebody's copies.

@@ -54,7 +54,7 @@ fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
 }
 
 #[test]
-fn a_branch_named_like_a_platforms_file_gives_no_time() {
+fn a_branch_named_like_a_platforms_file_proves_nothing() {
     let export = Export::new();
     let names = ["ada-main", "bob-main", "mal-x_attempt_2026-11-19-10-00-00"];
     for name in names {
