@@ -56,20 +56,33 @@ fn the_name_of_an_archive_passed_alone_gives_no_time_and_no_number() {
 #[test]
 fn a_branch_named_like_a_platforms_file_proves_nothing() {
     let export = Export::new();
-    let names = ["ada-main", "bob-main", "mal-x_attempt_2026-11-19-10-00-00"];
+    let names = [
+        "one/hw1-ada-main",
+        "one/hw1-bob-main",
+        "one/hw1-mal-x_mal_attempt_2026-11-19-10-00-00",
+        "most/hw1-bob-main",
+        "most/hw1-eve-y_13_9_z",
+        "most/hw1-mal-x-ada_11_503_z",
+    ];
     for name in names {
-        export.put(
-            &format!("class/hw1-{name}.zip"),
-            &zip(&answers("", "somebody")),
-        );
+        export.put_all(name, answers("", "somebody"));
     }
-    let people = ["ada", "bob", "mal"].map(|login| Person {
+    let people = ["ada", "bob", "eve", "mal"].map(|login| Person {
         github: Some(login.into()),
+        number: Some(login.replace("ada", "11")),
         ..placement::tests::person(login, login)
     });
-    let (intake, _) = hostile::placed_among(&export, &["class"], &people, "hw1-{github}-main");
-    for entry in intake.entries {
-        assert_eq!(entry.platform, None, "{entry:?}");
+    for class in ["one", "most"] {
+        for named in ["hw1-{github}-main", "hw1-{github}-master"] {
+            let (intake, placed) = hostile::placed_among(&export, &[class], &people, named);
+            for entry in intake.entries {
+                assert_eq!(entry.platform, None, "{entry:?}");
+                let is_clone = entry.name.ends_with("main") && named.ends_with("main");
+                let is_listed = placed.by_name.contains(&entry.id);
+                let is_placed = placed.of.contains_key(&entry.id);
+                assert_eq!(is_placed, is_clone || is_listed, "{entry:?}");
+            }
+        }
     }
 }
 
