@@ -93,7 +93,12 @@ fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
 /// Finds the submission that the user named by its id, or by the id or the name of someone whose
 /// mark it decides, or may decide.
 fn id_of(named: &str, roll: &Roll) -> Result<String> {
-    let is_named = |person: &Person| person.id == named || matching::is_name(named, person);
+    // Somebody may have chosen another person's id for a name.
+    let is_id = roll.people.iter().flatten().any(|it| it.id == named);
+    let is_named = |person: &Person| match is_id {
+        true => person.id == named,
+        false => matching::is_name(named, person),
+    };
     let is_theirs = |id: &str| {
         let person = roll.placed.of.get(id);
         let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
@@ -237,6 +242,13 @@ mod tests {
         let archive = crate::grade::class::marks::tests::roll(entries, RULES, &[]);
         assert_eq!(id_of("bob", &archive).expect("it is there"), "one");
         assert_eq!(id_of("eve", &archive).expect("it is there"), "bob");
+        let mut named = archive;
+        named
+            .placed
+            .of
+            .values_mut()
+            .for_each(|it| it.name = "bob".into());
+        assert_eq!(id_of("bob", &named).expect("it is there"), "one");
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
         assert!(error.to_string().contains("no submission by"), "{error}");
     }
