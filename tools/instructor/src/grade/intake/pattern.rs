@@ -67,23 +67,32 @@ impl NamePattern {
     pub fn readings<'n>(&self, name: &'n str, from: Option<Platform>) -> Vec<PlatformName<'n>> {
         let mut all = names::readings(name, from);
         let is_login = |it: &PlatformName| self.is_login(&it.sign());
-        let is_said = self.fits(file_names::stem(name)) || all.iter().any(is_login);
+        let is_said = self.gives(name) || all.iter().any(is_login);
         all.retain(|it| !is_said || is_login(it));
         all
     }
 
-    /// The platform that has exported files of these names.
-    pub fn exported_by<'a>(&self, names: impl Iterator<Item = &'a String>) -> Option<Platform> {
-        let read = names.map(|name| {
-            let mut all = self.readings(name, None);
-            all.retain(|it| self.is_platforms(&it.sign()));
-            all
-        });
-        names::exported_by(read)
+    /// Whether the instructor or GitHub gave this name. GitHub may have added another branch.
+    fn gives(&self, name: &str) -> bool {
+        let begins = !self.before.is_empty() && name.starts_with(&self.before);
+        begins || self.fits(file_names::stem(name))
     }
 
-    /// Whether a sign may come from a platform, and not from somebody who named a branch like a platform's
-    /// file. If the instructor has said how submissions are named, only these names come from anywhere.
+    /// The platform that has exported files of these names. If one of them is a clone's, somebody may
+    /// have named a branch like a platform's file.
+    pub fn exported_by<'a>(&self, names: impl Iterator<Item = &'a String>) -> Option<Platform> {
+        let mut has_clone = false;
+        let read = names.map(|name| {
+            let all = self.readings(name, None);
+            has_clone |= all.is_empty() && self.gives(name);
+            all
+        });
+        let platform = names::exported_by(read);
+        platform.filter(|_| !has_clone)
+    }
+
+    /// Whether a sign may prove something because it comes from a platform. If the instructor has said
+    /// how submissions are named, somebody may have named a branch like a platform's file.
     pub fn is_platforms(&self, sign: &Sign) -> bool {
         match sign {
             Sign::Plain(_) => false,

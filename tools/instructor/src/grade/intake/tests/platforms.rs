@@ -63,6 +63,8 @@ fn a_branch_named_like_a_platforms_file_proves_nothing() {
         "most/hw1-bob-main",
         "most/hw1-eve-y_13_9_z",
         "most/hw1-mal-x-ada_11_503_z",
+        "all/hw1-eve-y_13_9_z",
+        "all/hw1-mal-x-ada_11_503_z",
     ];
     for name in names {
         export.put_all(name, answers("", "somebody"));
@@ -72,17 +74,21 @@ fn a_branch_named_like_a_platforms_file_proves_nothing() {
         number: Some(login.replace("ada", "11")),
         ..placement::tests::person(login, login)
     });
-    for class in ["one", "most"] {
-        for named in ["hw1-{github}-main", "hw1-{github}-master"] {
-            let (intake, placed) = hostile::placed_among(&export, &[class], &people, named);
-            for entry in intake.entries {
-                assert_eq!(entry.platform, None, "{entry:?}");
-                let is_clone = entry.name.ends_with("main") && named.ends_with("main");
-                let is_listed = placed.by_name.contains(&entry.id);
-                let is_placed = placed.of.contains_key(&entry.id);
-                assert_eq!(is_placed, is_clone || is_listed, "{entry:?}");
-            }
+    for (class, named) in [
+        ("one", "hw1-{github}-main"),
+        ("most", "hw1-{github}-main"),
+        ("all", "hw1-{github}-main"),
+        ("one", "{github}-main"),
+        ("most", "{github}-main"),
+    ] {
+        let (intake, placed) = hostile::placed_among(&export, &[class], &people, named);
+        for entry in intake.entries {
+            assert_eq!(entry.platform, None, "{entry:?}");
         }
+        let is_listed = |id: &String| placed.by_name.contains(id);
+        let unlisted = placed.of.iter().filter(|(id, _)| !is_listed(id));
+        let clones = unlisted.clone().filter(|(id, _)| id.ends_with("-main"));
+        assert_eq!(unlisted.count(), clones.count(), "{placed:?}");
     }
 }
 
