@@ -7,7 +7,8 @@ use serde_json::json;
 
 use crate::cli::Dispute;
 use crate::grade::cache::standing;
-use crate::grade::class::{ROLL, Roll, marks};
+use crate::grade::class::marks::{self, Rows};
+use crate::grade::class::{ROLL, Roll, Row};
 use crate::grade::evidence::Evidence;
 use crate::grade::grader::fresh;
 use crate::grade::intake::roster::Person;
@@ -37,8 +38,7 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
     let fresh = evidence.fresh_folder.as_ref().zip(made_with.fresh.as_ref());
     evidence.fresh_folder = fresh.and_then(|(folder, hash)| fresh::still_kept(folder, hash));
     let attempts = attempts(&id, &roll, &submissions);
-    let rows = marks::rows(&roll, &attempts);
-    let row = rows.own.into_iter().find(|row| row.entry.id == id);
+    let row = row(&arguments.id, &id, marks::rows(&roll, &attempts), &roll);
     let (mark, not_counted) = row.map_or((None, None), |row| (row.mark, row.not_counted));
     let whose = roll.whose(&id);
     if arguments.json {
@@ -55,6 +55,24 @@ pub fn run(arguments: &Dispute) -> Result<Status> {
         anstream::print!("{}", words(&record, &mark, &evidence));
     }
     Ok(Status::Well)
+}
+
+/// The row of the submission with this id, or that of a member of the group that the user named.
+fn row<'a>(named: &str, id: &str, rows: Rows<'a>, roll: &Roll) -> Option<Row<'a>> {
+    let is_members =
+        |row: &Row| named != id && row.person.is_some_and(|it| is_named(named, it, roll));
+    let of_members = rows.shared.into_iter().filter(is_members);
+    of_members.chain(rows.own).find(|row| row.entry.id == id)
+}
+
+/// Whether the user named this person, by the id or the name. Somebody may have chosen another
+/// person's id for a name.
+fn is_named(named: &str, person: &Person, roll: &Roll) -> bool {
+    let is_id = roll.people.iter().flatten().any(|it| it.id == named);
+    match is_id {
+        true => person.id == named,
+        false => matching::is_name(named, person),
+    }
 }
 
 /// The records of everything that the same people have handed in, by id. They decide which
@@ -93,12 +111,7 @@ fn mark_in_words(mark: Option<&Mark>, not_counted: Option<&str>) -> String {
 /// Finds the submission that the user named by its id, or by the id or the name of someone whose
 /// mark it decides, or may decide.
 fn id_of(named: &str, roll: &Roll) -> Result<String> {
-    // Somebody may have chosen another person's id for a name.
-    let is_id = roll.people.iter().flatten().any(|it| it.id == named);
-    let is_named = |person: &Person| match is_id {
-        true => person.id == named,
-        false => matching::is_name(named, person),
-    };
+    let is_named = |person: &Person| is_named(named, person, roll);
     let is_theirs = |id: &str| {
         let person = roll.placed.of.get(id);
         let mut team = person.into_iter().flat_map(|person| roll.team_of(person));
@@ -251,6 +264,24 @@ mod tests {
         assert_eq!(id_of("bob", &named).expect("it is there"), "one");
         let error = id_of("Name of nobody", &roll).expect_err("nobody has this name");
         assert!(error.to_string().contains("no submission by"), "{error}");
+    }
+
+    #[test]
+    fn a_member_of_a_group_sees_the_members_own_mark() {
+        let rules = "[[adjust]]\nid = 'ada'\npoints = -5\nreason = 'late by e-mail'";
+        let roll = roll(
+            vec![entry("one", "ada", "ada")],
+            rules,
+            &[("team", &["ada", "bob"])],
+        );
+        let record = crate::grade::record::tests::graded("one", 80, 100);
+        let records = BTreeMap::from([("one".to_owned(), record.into())]);
+        let last = |named: &str| {
+            let row = row(named, "one", marks::rows(&roll, &records), &roll);
+            row.and_then(|row| row.mark).map(|mark| mark.last)
+        };
+        let named = ["one", "ada", "bob", "Name of bob"];
+        assert_eq!(named.map(last), [75., 75., 80., 80.].map(Some));
     }
 
     #[test]
