@@ -211,11 +211,17 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         roll::know_groups(policy, people);
     }
     let named = arguments.named.clone();
+    // Names mean the same as when the class was graded into this folder.
+    let earlier = arguments
+        .out
+        .as_ref()
+        .map(|out| Roll::read(&out.join(ROLL)));
+    let earlier = earlier.and_then(Result::ok).unwrap_or_default();
     let intake = intake::find(
         &arguments.paths,
         assignment,
-        people.as_deref(),
-        named.as_ref(),
+        people.as_deref().or(earlier.people.as_deref()),
+        named.as_ref().or(earlier.named.as_ref()),
     )?;
     let mut roll = Roll {
         entries: intake.entries,

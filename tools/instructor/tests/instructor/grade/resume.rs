@@ -440,6 +440,34 @@ fn a_groups_submission_stays_its_members_when_another_is_added_or_a_class_is_mer
 }
 
 #[test]
+fn the_pattern_stays_when_one_submission_is_graded_again() {
+    let class = Class::new("pattern-stays");
+    let put = |name: &str, text: &str| {
+        let path = class.folder.join(name);
+        fs::create_dir_all(path.parent().expect("it is below")).expect("there is room");
+        fs::write(path, text).expect("there is room");
+        class.path(name)
+    };
+    // Without the pattern, this could be an upload to Canvas.
+    put("clones/cs_101_2026_hw1-bob/plane.rs", "// mine");
+    put("clones/cs_101_2026_hw1-ada/plane.rs", "// mine");
+    let list = "id,name,github,number\n1,Ada Ash,ada,101\n2,Bob Boole,bob,102\n";
+    let roster = put("roster.csv", list);
+    let (clones, out) = (class.path("clones"), class.path("out"));
+    let named = ["--roster", &roster, "--named", "cs_101_2026_hw1-{github}"];
+    let line = ["grade", "--no-fresh", "--out", &out];
+    on_small_assignment(&[&line[..], &[&clones], &named].concat())
+        .expect_code(1)
+        .expect_out("0 handed in nothing");
+    put("clones/cs_101_2026_hw1-bob/plane.rs", "// newer");
+    let again = class.path("clones/cs_101_2026_hw1-bob");
+    on_small_assignment(&[&line[..], &[&again]].concat())
+        .expect_code(1)
+        .expect_out("of 2 people on the roster, 2 are graded; 0 handed in nothing")
+        .expect_out("2 submissions, 1 graded now");
+}
+
+#[test]
 fn a_merge_takes_lateness_from_the_submission_that_was_graded() {
     let class = Class::new("merge-late");
     let folder = class.folder.join("few");
