@@ -2,7 +2,7 @@
 
 mod questions;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -173,6 +173,7 @@ fn with_class(
     // A class of another version is graded again.
     if let Ok(class) = Roll::read(&earlier) {
         roll.note_changes(&class);
+        roll.doubt_earlier_answers(&class);
     }
     Ok((roll.entries.clone(), roll))
 }
@@ -235,6 +236,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         passed: intake.passed,
         policy,
         changed: BTreeMap::new(),
+        alone: BTreeSet::new(),
     };
     roll.place();
     Ok(roll)

@@ -224,6 +224,37 @@ mod tests {
     }
 
     #[test]
+    fn a_class_that_brings_back_older_answers_is_listed() {
+        let of = |answers: &str| {
+            let entry = Entry {
+                answers: Some(vec![("any".into(), answers.into())]),
+                ..entry("ada", "ada", "ada")
+            };
+            roll(
+                vec![entry, self::entry("bob", "bob", "bob")],
+                "time_zone = 'UTC'",
+                &[],
+            )
+        };
+        let mut alone = of("new");
+        alone.entries.truncate(1);
+        let whole = alone.into_class(of("old"));
+        for (answers, listed) in [("old", &["ada"][..]), ("new", &[])] {
+            let mut again = of(answers);
+            again.doubt_earlier_answers(&whole);
+            let doubtful = again.entries.iter().filter(|it| !it.doubts.is_empty());
+            let doubtful: Vec<&str> = doubtful.map(|it| &*it.id).collect();
+            assert_eq!(doubtful, listed);
+        }
+        let mut newer = of("new");
+        newer.doubt_earlier_answers(&of("old"));
+        assert!(
+            newer.entries[0].doubts.is_empty(),
+            "the class itself is newer"
+        );
+    }
+
+    #[test]
     fn only_the_whole_class_gets_another_roster() {
         let of = |ids: &[&str]| {
             let entries = ids.iter().map(|id| entry(id, id, id)).collect();

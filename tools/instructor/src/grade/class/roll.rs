@@ -38,6 +38,9 @@ pub struct Roll {
     /// The answers that submissions of a name had when the table of times was passed first, if they
     /// have others now: see [`Roll::note_changes`].
     pub changed: BTreeMap<String, Vec<Answers>>,
+    /// The names of submissions that were passed alone after the class.
+    #[serde(default)]
+    pub alone: BTreeSet<String>,
 }
 
 /// See [`Entry::answers`].
@@ -100,6 +103,7 @@ impl Roll {
     pub fn into_class(self, mut class: Roll) -> Roll {
         let new = self.keys();
         let old = class.clone();
+        class.alone.extend(new.iter().map(|it| (*it).to_owned()));
         class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
@@ -114,6 +118,20 @@ impl Roll {
         class.note_changes(&old);
         class.place();
         class
+    }
+
+    /// Lists the submissions that were passed alone after the class, with other answers than now. What
+    /// was passed alone is probably newer.
+    pub fn doubt_earlier_answers(&mut self, class: &Roll) {
+        let [own, old] = [self.answers(), class.answers()];
+        for entry in &mut self.entries {
+            let key = entry.key().to_owned();
+            if class.alone.contains(&key) && own.get(&key) != old.get(&key) {
+                let why = "its answers are not those that you passed alone after the class: put the ones \
+                           that count into the class's folder";
+                entry.doubts.push(why.into());
+            }
+        }
     }
 
     /// The lines of the table of times; none without a table.
