@@ -87,6 +87,12 @@ impl Entry {
         file_names::stem(&self.name)
     }
 
+    /// Whether its names can be read as this platform's.
+    pub fn is_of(&self, platform: Platform) -> bool {
+        let read = self.given.iter().flat_map(|name| names::platforms(name));
+        read.into_iter().any(|it| it.platform == platform)
+    }
+
     /// The names that this platform gave to its files, if each can be read in one way only.
     pub fn named_by(&self, of: Platform) -> impl Iterator<Item = PlatformName<'_>> {
         let given = self.given.iter().filter(move |_| self.platform == Some(of));

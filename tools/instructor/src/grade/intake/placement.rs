@@ -149,7 +149,8 @@ pub fn place(entries: &[Entry], people: Option<&[Person]>, named: &NamePattern) 
     }
     let mut of: BTreeMap<&str, Vec<(Proof, &Entry, &Person)>> = BTreeMap::new();
     for (entry, (mut proof, found)) in entries.iter().zip(meant) {
-        if !is_export && is_given(&entry) {
+        let is_foreign = entry.platform.is_some_and(|of| !entry.is_of(of));
+        if (!is_export || is_foreign) && is_given(&entry) {
             proof = proof.min(Proof::Name);
         }
         match found[..] {

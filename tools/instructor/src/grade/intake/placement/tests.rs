@@ -267,7 +267,7 @@ fn a_date_in_an_uploads_own_name_is_not_mistaken_for_an_account() {
     assert_eq!(placed.of[name].id, "s1", "{placed:?}");
     assert_eq!(placed.by_name, [name]);
     // Here, the first part is the name of nobody whom we know.
-    let chosen = "HW_attempt_2026-11-20-23-59-01_11_501_z.zip";
+    let chosen = "nobody_77_11_501_z.zip";
     let placed = place(&entries(&[chosen]), Some(&people), &NamePattern::default());
     assert!(placed.ambiguous.contains_key(chosen), "{placed:?}");
     // The date may also be somebody else's number.

@@ -93,6 +93,22 @@ fn a_branch_named_like_a_platforms_file_proves_nothing() {
 }
 
 #[test]
+fn a_name_like_another_platforms_is_listed() {
+    let export = Export::new();
+    for name in ["Bob Byron_12", "Eve Evans_14"] {
+        export.put_all(
+            &format!("class/{name}_assignsubmission_file"),
+            answers("", "hers"),
+        );
+    }
+    export.put_all("class/lovelaceada_11_501_x", answers("", "mallory"));
+    let list = "id,name,number\n1,Ada Lovelace,11\n2,Bob Byron,12\n3,Eve Evans,14\n";
+    let (_, placed) = hostile::placed(&export, &["class"], list);
+    assert_eq!(placed.of.len(), 3, "{placed:?}");
+    assert_eq!(placed.by_name, ["lovelaceada_11"], "{placed:?}");
+}
+
+#[test]
 fn somebody_whose_name_begins_with_a_dot_has_handed_in() {
     let export = Export::new();
     let folders = [". Ada", "Bob", ".git"];
