@@ -107,7 +107,7 @@ fn a_persons_name_that_looks_like_another_account_replaces_nobody() {
         ],
         [
             "lovelaceada_11_501_hw.zip",
-            "lovelaceada_late_11_99999_x_13_502_hw.zip",
+            "lovelaceada_LATE_11_99999_x_13_502_hw.zip",
         ],
     ] {
         let _former = fs::remove_dir_all(export.path("class"));
