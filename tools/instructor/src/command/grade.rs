@@ -2,7 +2,7 @@
 
 mod questions;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -236,7 +236,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         passed: intake.passed,
         policy,
         changed: BTreeMap::new(),
-        alone: BTreeSet::new(),
+        alone: BTreeMap::new(),
     };
     roll.place();
     Ok(roll)

@@ -89,6 +89,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     // A class of another version is merged again.
     if let Ok(class) = Roll::read(&earlier) {
         roll.note_changes(&class);
+        roll.doubt_earlier_answers(&class);
     }
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {

@@ -245,6 +245,10 @@ mod tests {
             let doubtful = again.entries.iter().filter(|it| !it.doubts.is_empty());
             let doubtful: Vec<&str> = doubtful.map(|it| &*it.id).collect();
             assert_eq!(doubtful, listed);
+            // In the next run, too.
+            let mut next = of(answers);
+            next.doubt_earlier_answers(&again);
+            assert_eq!(next.entries[0].doubts.is_empty(), listed.is_empty());
         }
         let mut newer = of("new");
         newer.doubt_earlier_answers(&of("old"));

@@ -38,9 +38,9 @@ pub struct Roll {
     /// The answers that submissions of a name had when the table of times was passed first, if they
     /// have others now: see [`Roll::note_changes`].
     pub changed: BTreeMap<String, Vec<Answers>>,
-    /// The names of submissions that were passed alone after the class.
+    /// The answers of submissions that were passed alone after the class, by their names.
     #[serde(default)]
-    pub alone: BTreeSet<String>,
+    pub alone: BTreeMap<String, Vec<Answers>>,
 }
 
 /// See [`Entry::answers`].
@@ -103,7 +103,7 @@ impl Roll {
     pub fn into_class(self, mut class: Roll) -> Roll {
         let new = self.keys();
         let old = class.clone();
-        class.alone.extend(new.iter().map(|it| (*it).to_owned()));
+        class.alone.extend(self.answers());
         class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
@@ -123,12 +123,15 @@ impl Roll {
     /// Lists the submissions that were passed alone after the class, with other answers than now. What
     /// was passed alone is probably newer.
     pub fn doubt_earlier_answers(&mut self, class: &Roll) {
-        let [own, old] = [self.answers(), class.answers()];
+        let own = self.answers();
+        let alone = class.alone.iter();
+        let alone = alone.filter(|(key, _)| own.contains_key(*key));
+        self.alone = alone.map(|(key, it)| (key.clone(), it.clone())).collect();
         for entry in &mut self.entries {
-            let key = entry.key().to_owned();
-            if class.alone.contains(&key) && own.get(&key) != old.get(&key) {
+            let alone = self.alone.get(entry.key());
+            if alone.is_some_and(|it| *it != own[entry.key()]) {
                 let why = "its answers are not those that you passed alone after the class: put the ones \
-                           that count into the class's folder";
+                           that count into the class's folder, or pass them alone again";
                 entry.doubts.push(why.into());
             }
         }
