@@ -59,15 +59,13 @@ fn for_canvas(row: &Row) -> Option<String> {
 
 /// Moodle's “Upload multiple feedback files in a zip”: folders as in its export. Their numbers say
 /// whose they are (`mod/assign/feedback/file/importziplib.php` in Moodle's source). A group's
-/// number may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder.
+/// number may be somebody else's (`mod/assign/classes/downloader.php`), so it gets no folder, and
+/// without a roster, nobody knows whether it is a group's.
 fn for_moodle(row: &Row) -> Option<String> {
     let mut names = row.entry.named_by(Platform::Moodle);
     let name = names.next().filter(|_| !row.is_shared)?;
-    if row.person.is_some_and(|it| !has_number_of(&name, it)) {
-        return None;
-    }
-    let folder = name.submission;
-    Some(format!("{folder}_assignsubmission_file/report.html"))
+    let is_own = row.person.is_some_and(|it| has_number_of(&name, it));
+    is_own.then(|| format!("{}_assignsubmission_file/report.html", name.submission))
 }
 
 /// For sending in other ways: the report is named by the person's id. Characters that are not safe
@@ -159,11 +157,11 @@ mod tests {
             name: "Ada Lovelace".into(),
             ..Person::default()
         };
-        let folder = |name: &str| {
+        let folder = |name: &str, person| {
             let entry = entry("one", "ada", &format!("{name}_assignsubmission_file"));
             for_moodle(&Row {
                 entry: &entry,
-                person: Some(&person),
+                person,
                 record: None,
                 mark: None,
                 not_counted: None,
@@ -171,8 +169,13 @@ mod tests {
             })
         };
         let own = "Ada Lovelace_2001_assignsubmission_file/report.html";
-        assert_eq!(folder("Ada Lovelace_2001").as_deref(), Some(own));
-        assert_eq!(folder("Team A_3001"), None);
+        assert_eq!(
+            folder("Ada Lovelace_2001", Some(&person)).as_deref(),
+            Some(own)
+        );
+        assert_eq!(folder("Team A_3001", Some(&person)), None);
+        // It may be a group's, too.
+        assert_eq!(folder("Ada Lovelace_2001", None), None);
     }
 
     #[test]
