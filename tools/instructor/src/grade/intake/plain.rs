@@ -20,8 +20,11 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
     // The whole name may be an id, too.
     let by_id = index.with_assigned(name);
     let both = once(found.iter().copied().chain(by_id));
+    // In place of an id, it may be a login and a branch, between which GitHub writes a hyphen.
+    let is_clone = own == name && key != named.key() && name.contains('-');
+    let most = if is_clone { Proof::Given } else { Proof::Id };
     match both == found {
-        true => (proof, found),
+        true => (proof.min(most), found),
         false => (Proof::Hint, both),
     }
 }

@@ -198,6 +198,14 @@ fn a_folder_named_after_any_id_on_the_roster_has_an_owner() {
 }
 
 #[test]
+fn an_id_that_may_be_a_login_and_a_branch_is_listed() {
+    let people = with_mallory(|it, what| it.github = Some(what.into()), "ab");
+    let placed = |named: &str| place(&entries(&["ab-1"]), Some(&people), &pattern(named));
+    assert_eq!(placed("{github}-main").contested, ["ab-1"]);
+    assert_eq!(placed("{id}-main").contested, [""; 0]);
+}
+
+#[test]
 fn a_persons_name_counts_if_the_instructor_says_so_but_is_listed() {
     let mut people = with_mallory(|it, what| it.name = what.into(), "Zo\u{eb} M\u{fc}ller");
     let names = ["Bob Babbage", "zoe muller"];
