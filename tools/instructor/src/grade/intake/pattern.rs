@@ -84,7 +84,7 @@ impl NamePattern {
         let mut has_clone = false;
         let read = names.map(|name| {
             let all = self.readings(name, None);
-            has_clone |= all.is_empty() && self.gives(name);
+            has_clone |= self.key != Key::Id && all.is_empty() && self.gives(name);
             all
         });
         let platform = names::exported_by(read);

@@ -203,6 +203,7 @@ fn blackboards_title_is_what_the_instructor_says() {
         );
         export.put(&format!("class/{name}.txt"), b"Files: 1");
     }
+    export.put("class/HW_1_notes.txt", b"mine");
     // Somebody who hands in too much takes nothing from the others.
     for k in 10..30 {
         let name = format!("class/HW_1_1000_attempt_2026-11-20-10-{k}-00_hw.zip");
@@ -225,7 +226,7 @@ fn blackboards_title_is_what_the_instructor_says() {
     );
     let (intake, placed) = found;
     assert_eq!(intake.entries.len(), 23, "{intake:#?}");
-    assert!(intake.ignored.is_empty(), "{:?}", intake.ignored);
+    assert_eq!(intake.ignored, ["HW_1_notes.txt"]);
     let of_mallory = "HW_1_7_1001_attempt_2026-11-20-20-00-00";
     assert_eq!(placed.ambiguous[of_mallory], people[..1], "{placed:#?}");
     assert!(
