@@ -1,6 +1,8 @@
 //! Attacks by names of files that look like those of another platform, or of another upload.
 
+use super::hostile::{all_of, placed, placed_among};
 use super::*;
+use crate::grade::intake::placement::tests::person;
 
 #[test]
 fn only_the_platform_of_the_export_gives_times_and_numbers() {
@@ -72,7 +74,7 @@ fn a_branch_named_like_a_platforms_file_proves_nothing() {
     let people = ["ada", "bob", "eve", "mal"].map(|login| Person {
         github: Some(login.into()),
         number: Some(login.replace("ada", "11")),
-        ..placement::tests::person(login, login)
+        ..person(login, login)
     });
     for (class, named) in [
         ("one", "hw1-{github}-main"),
@@ -81,7 +83,7 @@ fn a_branch_named_like_a_platforms_file_proves_nothing() {
         ("one", "{github}-main"),
         ("most", "{github}-main"),
     ] {
-        let (intake, placed) = hostile::placed_among(&export, &[class], &people, named);
+        let (intake, placed) = placed_among(&export, &[class], &people, named);
         for entry in intake.entries {
             assert_eq!(entry.platform, None, "{entry:?}");
         }
@@ -103,7 +105,7 @@ fn a_name_like_another_platforms_is_listed() {
     }
     export.put_all("class/lovelaceada_11_501_x", answers("", "mallory"));
     let list = "id,name,number\n1,Ada Lovelace,11\n2,Bob Byron,12\n3,Eve Evans,14\n";
-    let (_, placed) = hostile::placed(&export, &["class"], list);
+    let (_, placed) = placed(&export, &["class"], list);
     assert_eq!(placed.of.len(), 3, "{placed:?}");
     assert_eq!(placed.by_name, ["lovelaceada_11"], "{placed:?}");
 }
@@ -147,4 +149,87 @@ fn an_upload_that_may_be_a_persons_second_is_listed() {
         let is_listed = entry.doubts.iter().any(|it| it.contains("a later upload"));
         assert_eq!(is_listed, further.ends_with(&entry.name), "{entry:?}");
     }
+}
+
+#[test]
+fn blackboard_names_the_person_before_the_attempt_and_the_uploader_names_the_rest() {
+    let export = Export::new();
+    let ada = zip(&answers("", "ada"));
+    export.put("class/HW1_al1_attempt_2026-11-20-20-00-00_hw.zip", &ada);
+    let name = "class/HW1_mm1_attempt_2026-11-20-21-00-00_Ada Lovelace.zip";
+    export.put(name, &zip(&answers("", "mallory")));
+    let found = placed(&export, &["class"], "id,name,login\n1,Ada Lovelace,al1\n");
+    assert_eq!(all_of(&found, "1"), ["// sphere by ada"], "{:#?}", found.1);
+    assert_eq!(found.1.unknown.len(), 1, "{:#?}", found.1);
+    assert_eq!(
+        found.1.by_name.len(),
+        1,
+        "it may be x_al1's: {:#?}",
+        found.1
+    );
+    // Without logins on the roster, no submission is guessed to be anybody's.
+    let found = placed(&export, &["class"], "id,name\n1,Ada Lovelace\n");
+    assert!(found.1.of.is_empty(), "{:#?}", found.1);
+}
+
+#[test]
+fn blackboards_title_is_what_the_instructor_says() {
+    let export = Export::new();
+    // All of these could also be Canvas's, because the title contains a number.
+    for (login, author) in [("1001", "ada"), ("1002", "bob"), ("7_1001", "mallory")] {
+        let name = format!("HW_1_{login}_attempt_2026-11-20-20-00-00");
+        let upload = zip(&answers("", author));
+        export.put(
+            &format!("class/{name}_x_attempt_2026-11-20-10-00-00.zip"),
+            &upload,
+        );
+        export.put(&format!("class/{name}.txt"), b"Files: 1");
+    }
+    export.put("class/HW_1_notes.txt", b"mine");
+    // Somebody who hands in too much takes nothing from the others.
+    for k in 10..30 {
+        let name = format!("class/HW_1_1000_attempt_2026-11-20-10-{k}-00_hw.zip");
+        export.put(&name, &zip(&archives::many_answers("")));
+    }
+    let people = [("1001", "Ada Lovelace"), ("1002", "Bob Byron")];
+    let people = people.map(|(id, name)| person(id, name));
+    let found = placed_among(&export, &["class"], &people, "HW_1_{id}");
+    assert_eq!(
+        all_of(&found, "1001"),
+        ["// sphere by ada"],
+        "{:#?}",
+        found.1
+    );
+    assert_eq!(
+        all_of(&found, "1002"),
+        ["// sphere by bob"],
+        "{:#?}",
+        found.1
+    );
+    let (intake, placed) = found;
+    assert_eq!(intake.entries.len(), 23, "{intake:#?}");
+    assert_eq!(intake.ignored, ["HW_1_notes.txt"]);
+    let of_mallory = "HW_1_7_1001_attempt_2026-11-20-20-00-00";
+    assert_eq!(placed.ambiguous[of_mallory], people[..1], "{placed:#?}");
+    assert!(
+        placed.by_name.is_empty() && placed.contested.is_empty(),
+        "{placed:#?}"
+    );
+    for entry in &intake.entries {
+        let time = names::handed_in(&entry.given, Platform::Blackboard);
+        assert_eq!(entry.platform, Some(Platform::Blackboard));
+        assert!(time.is_some(), "{entry:?}");
+    }
+    // A clone is named by the instructor alone.
+    export.put_all(
+        "clones/hw1-ada_attempt_2026-11-20-20-00-00",
+        answers("", "mallory"),
+    );
+    export.put_all("clones/hw1-bob", answers("", "bob"));
+    let people = people.map(|it| Person {
+        group: Some(if it.id == "1001" { "ada" } else { "bob" }.into()),
+        ..it
+    });
+    let (_, placed) = placed_among(&export, &["clones"], &people, "hw1-{group}");
+    assert_eq!(placed.of.len(), 1, "{placed:#?}");
 }
