@@ -2,6 +2,7 @@
 
 mod exports;
 mod fresh;
+mod merge;
 mod resume;
 mod withheld;
 
