@@ -261,9 +261,12 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
             folder: shard,
             entries: entries.map(|it| (it.id.clone(), it.clone())).collect(),
         });
-        let changed = common.take().map(|it| it.changed);
+        let earlier = common.take();
         let roll = common.insert(roll);
-        roll.changed.extend(changed.unwrap_or_default());
+        if let Some(earlier) = earlier {
+            roll.changed.extend(earlier.changed);
+            roll.alone.extend(earlier.alone);
+        }
     }
     let common =
         common.ok_or_else(|| Error::input("no part has results", "name the parts' --out folders"));

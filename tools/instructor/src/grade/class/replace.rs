@@ -166,6 +166,7 @@ pub fn refuse_chosen_names(roll: &Roll, class: &Roll) -> Result<()> {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
     use std::fs;
 
     use super::*;
@@ -256,6 +257,17 @@ mod tests {
             newer.entries[0].doubts.is_empty(),
             "the class itself is newer"
         );
+        // A merge takes what was passed alone to a part, and keeps what was passed alone to it.
+        for (mut part, merged) in [(whole.clone(), of("old")), (of("old"), whole)] {
+            assert!(part.has_same_submissions(&Roll {
+                alone: BTreeMap::new(),
+                ..part.clone()
+            }));
+            part.doubt_earlier_answers(&merged);
+            let mut again = of("old");
+            again.doubt_earlier_answers(&part);
+            assert!(!again.entries[0].doubts.is_empty());
+        }
     }
 
     #[test]

@@ -65,6 +65,7 @@ impl Roll {
         let here = Roll {
             passed: other.passed.clone(),
             changed: other.changed.clone(),
+            alone: other.alone.clone(),
             ..self.clone()
         };
         here == *other
@@ -124,9 +125,9 @@ impl Roll {
     /// was passed alone is probably newer.
     pub fn doubt_earlier_answers(&mut self, class: &Roll) {
         let own = self.answers();
-        let alone = class.alone.iter();
-        let alone = alone.filter(|(key, _)| own.contains_key(*key));
-        self.alone = alone.map(|(key, it)| (key.clone(), it.clone())).collect();
+        let earlier = std::mem::replace(&mut self.alone, class.alone.clone());
+        self.alone.extend(earlier);
+        self.alone.retain(|key, _| own.contains_key(key));
         for entry in &mut self.entries {
             let alone = self.alone.get(entry.key());
             if alone.is_some_and(|it| *it != own[entry.key()]) {
