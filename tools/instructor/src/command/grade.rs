@@ -225,6 +225,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         named.as_ref().or(earlier.named.as_ref()),
     )?;
     let mut roll = Roll {
+        assignment: assignment.name.clone(),
         entries: intake.entries,
         people,
         named,

@@ -27,6 +27,7 @@ use pinhole_report::program::Status;
 pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let assignment = arguments.assignment.find(checkout, None)?;
     let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
+    replace::refuse_other_assignment(&assignment.name, &roll)?;
     if let Some(path) = &arguments.policy {
         let policy = Policy::read(path, &assignment)?;
         if policy.times != roll.times() {

@@ -92,9 +92,22 @@ fn refuse_other_paths(roll: &Roll, class: &Roll, earlier: &Path) -> Result<()> {
     ))
 }
 
-/// Refuses to change the roster or the policy for submissions that are not passed now, and to forget
-/// one of them.
+/// Refuses results of another assignment.
+pub fn refuse_other_assignment(now: &str, class: &Roll) -> Result<()> {
+    let was = &class.assignment;
+    if was == now {
+        return Ok(());
+    }
+    Err(Error::input(
+        format!("that class was graded for the assignment {was}, not for {now}"),
+        "name that assignment with --assignment, or name another folder",
+    ))
+}
+
+/// Refuses another assignment, to change the roster or the policy for submissions that are not passed
+/// now, and to forget one of them.
 pub fn refuse_other_rules(roll: &Roll, class: &Roll, is_single: bool) -> Result<()> {
+    refuse_other_assignment(&roll.assignment, class)?;
     let (new, old) = (&roll.policy, &class.policy);
     let is_part = is_single && !class.keys().is_subset(&roll.keys());
     // People's groups come from the policy.
@@ -291,6 +304,22 @@ mod tests {
         new.people = None;
         let refused = refuse_other_rules(&new, &class, false);
         refused.expect_err("one person's upload may look like the class");
+    }
+
+    #[test]
+    fn another_assignment_replaces_no_marks() {
+        let of = |assignment: &str| Roll {
+            assignment: assignment.into(),
+            ..Roll::default()
+        };
+        let folder = tempfile::tempdir().expect("there is room");
+        let earlier = folder.path().join(ROLL);
+        let class = serde_json::to_string(&of("spheres")).expect("it is JSON");
+        fs::write(&earlier, class).expect("there is room");
+        refuse_partial_class(&of("spheres"), &earlier, "pass paths").expect("it is the same");
+        let refused = refuse_partial_class(&of("planes"), &earlier, "pass paths");
+        let refused = refused.expect_err("another assignment");
+        assert!(refused.to_string().contains("spheres"), "{refused}");
     }
 
     #[test]

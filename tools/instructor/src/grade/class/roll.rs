@@ -18,6 +18,8 @@ use pinhole_course::error::{Result, ResultExt};
 /// What was handed in, and by whom. Every shard has the same roll.
 #[derive(Clone, Debug, Default, Deserialize, PartialEq, Serialize)]
 pub struct Roll {
+    /// The name of the assignment.
+    pub assignment: String,
     /// Everything that is graded, by id.
     pub entries: Vec<Entry>,
     /// The roster, if there is one.

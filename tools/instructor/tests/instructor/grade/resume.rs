@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::{BROKEN, Class, answers, assignment, on_small_assignment, wrong_plane};
-use pinhole_testing::{program_of, root};
+use pinhole_testing::{pinhole, program_of, root};
 
 impl Class {
     /// Starts a grader that grades one submission at a time, and kills it as soon as `has_come`
@@ -125,6 +125,10 @@ fn shards_merge_to_the_grades_of_one_run() {
     on_small_assignment(&["merge", &two, &one, "--out", &one])
         .expect_code(2)
         .expect_err("can't be merged into itself");
+    let other = ["--assignment", "bounding_volumes"];
+    pinhole(&[&["merge", &two, &one, "--out", &merged], &other[..]].concat())
+        .expect_code(2)
+        .expect_err("graded for the assignment");
     on_small_assignment(&["merge", &two, &one, "--out", &merged]).expect_code(1);
     assert_eq!(
         class.read("merged/grades.csv"),
