@@ -237,6 +237,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         passed: intake.passed,
         policy,
         changed: BTreeMap::new(),
+        earlier_times: Vec::new(),
         alone: BTreeMap::new(),
     };
     roll.place();

@@ -29,11 +29,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
     replace::refuse_other_assignment(&assignment.name, &roll)?;
     if let Some(path) = &arguments.policy {
-        let policy = Policy::read(path, &assignment)?;
-        if policy.times != roll.times() {
-            roll.changed.clear();
-        }
-        roll.policy = Some(policy);
+        roll.set_policy(Policy::read(path, &assignment)?);
         roll.place();
     }
     let earlier = arguments.out.join(ROLL);

@@ -40,6 +40,9 @@ pub struct Roll {
     /// The answers that submissions of a name had when the table of times was passed first, if they
     /// have others now: see [`Roll::note_changes`].
     pub changed: BTreeMap<String, Vec<Answers>>,
+    /// The table of times of the class that was graded into the same folder before.
+    #[serde(default)]
+    pub earlier_times: Vec<TimeLine>,
     /// The answers of submissions that were passed alone after the class, by their names.
     #[serde(default)]
     pub alone: BTreeMap<String, Vec<Answers>>,
@@ -68,6 +71,7 @@ impl Roll {
             passed: other.passed.clone(),
             changed: other.changed.clone(),
             alone: other.alone.clone(),
+            earlier_times: other.earlier_times.clone(),
             ..self.clone()
         };
         here == *other
@@ -145,11 +149,29 @@ impl Roll {
         self.policy.as_ref().map_or(&[], |policy| &policy.times)
     }
 
+    /// The table of times or, without one, the last table that was passed.
+    fn last_times(&self) -> &[TimeLine] {
+        match self.times() {
+            [] => &self.earlier_times,
+            own => own,
+        }
+    }
+
+    /// Takes other rules. Another table of times is up to date.
+    pub fn set_policy(&mut self, policy: Policy) {
+        self.earlier_times = self.last_times().to_vec();
+        self.policy = Some(policy);
+        if self.last_times() != self.earlier_times {
+            self.changed.clear();
+        }
+    }
+
     /// Notes which submissions are new, or have other answers than in the class that was graded into
     /// the same folder before. If the table of times is still the same, it may say when the earlier
     /// answers were handed in.
     pub fn note_changes(&mut self, class: &Roll) {
-        if self.times() != class.times() {
+        self.earlier_times = class.last_times().to_vec();
+        if self.last_times() != self.earlier_times {
             return;
         }
         let mut old = class.answers();

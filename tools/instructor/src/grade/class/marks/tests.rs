@@ -480,6 +480,20 @@ fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
         let [newer, restored] = [(&all[..], new), (&[("ada", "a"), ("bob", "b")], old)]
             .map(|(all, times)| listed(&again(&whole, class(all, times))));
         assert_eq!((newer, restored), (Vec::new(), Vec::new()));
+        // A run without the table does not make it newer.
+        let with = |times| Roll {
+            policy: class(&[], times).policy,
+            changed: BTreeMap::new(),
+            ..whole.clone()
+        };
+        let without = again(&whole, with(&[]));
+        assert_eq!(listed(&without), [""; 0]);
+        for (times, ids) in [(old, ids), (new, &[])] {
+            assert_eq!(listed(&again(&without, with(times))), ids);
+            let mut merged = without.clone();
+            merged.set_policy(with(times).policy.expect("it has one"));
+            assert_eq!(listed(&merged), ids);
+        }
     }
     let none = class(&[("ada", "a")], &[]);
     assert_eq!(listed(&class(&all, &[]).into_class(none)), [""; 0]);
