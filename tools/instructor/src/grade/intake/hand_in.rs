@@ -160,6 +160,14 @@ fn of_one(
         uploads: Vec::new(),
         superseded: Vec::new(),
     };
+    let mut readings = parts
+        .iter()
+        .flat_map(|(top, _)| named.readings(top, platform));
+    if readings.any(|it| it.has_several_times) {
+        let why = "its name contains several times, so it may hold several submissions of a person, or \
+                   not be this person's last one";
+        hand_in.doubts.push(why.into());
+    }
     for (top, found) in parts {
         let order = order(&top);
         if file_names::is_archive(&top) && newest.is_some_and(|newest| order < newest) {

@@ -75,6 +75,8 @@ pub struct PlatformName<'a> {
     /// Greater for later uploads, where the platform counts them.
     pub upload: u64,
     pub handed_in: Option<HandInTime<DateTime>>,
+    /// Whether it contains several times. One of them is the platform's.
+    pub has_several_times: bool,
     /// What the uploader called it.
     pub rest: &'a str,
 }
@@ -131,6 +133,7 @@ impl PlatformName<'_> {
             submission: format!("{person}_{number}"),
             upload: file.parse().ok()?,
             handed_in: is_late.then_some(HandInTime::Late),
+            has_several_times: false,
             rest,
         })
     }
@@ -148,6 +151,7 @@ impl PlatformName<'_> {
             submission: format!("{person}_{number}"),
             upload: 0,
             handed_in: None,
+            has_several_times: false,
             rest,
         })
     }
@@ -168,6 +172,7 @@ impl PlatformName<'_> {
                 submission: name[..end].into(),
                 upload: 0,
                 handed_in: Some(HandInTime::At(time)),
+                has_several_times: false,
                 rest: rest.strip_prefix('_').unwrap_or(rest),
             })
         };
@@ -194,6 +199,7 @@ impl PlatformName<'_> {
                 submission: name[..at + BETWEEN.len() + time.len()].into(),
                 upload: 0,
                 handed_in: Some(HandInTime::At(at_time)),
+                has_several_times: false,
                 rest,
             })
         };
@@ -206,8 +212,13 @@ impl PlatformName<'_> {
 /// a group may contain an earlier time than the platform's.
 fn with_latest_time(all: Vec<PlatformName<'_>>) -> Option<PlatformName<'_>> {
     let handed_in = all.iter().filter_map(|it| it.handed_in).max();
+    let has_several_times = all.len() > 1;
     let first = all.into_iter().next()?;
-    Some(PlatformName { handed_in, ..first })
+    Some(PlatformName {
+        handed_in,
+        has_several_times,
+        ..first
+    })
 }
 
 /// A time as Brightspace writes it: no colon before the minutes, and no zero before the hour.
