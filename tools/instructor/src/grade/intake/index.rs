@@ -188,7 +188,7 @@ pub fn once<'a>(all: impl IntoIterator<Item = &'a Person>) -> Vec<&'a Person> {
 }
 
 /// The id and the logins of a person, as the university assigned them.
-fn assigned(person: &Person) -> impl Iterator<Item = &str> {
+pub fn assigned(person: &Person) -> impl Iterator<Item = &str> {
     let id = (!has_chosen_id(person)).then_some(&person.id);
     id.into_iter()
         .chain(person.assigned_logins())

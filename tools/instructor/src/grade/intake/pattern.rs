@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use serde::{Deserialize, Serialize};
 
-use super::index::{Index, once};
+use super::index::{Index, assigned, once};
 use super::matching::{Proof, without_accents};
 use super::names::{self, Platform, PlatformName, Sign};
 use super::reader::file_names;
@@ -113,6 +113,20 @@ impl NamePattern {
 }
 
 impl Key {
+    /// Whether a part of a name also stands for somebody together with what the instructor, the platform
+    /// or a branch's author has added. GitHub and GitLab write hyphens around it.
+    pub fn is_near(self, own: &str, index: &Index) -> bool {
+        let within = format!("-{own}-").to_ascii_lowercase();
+        let is_in = |text: &str| {
+            text.len() < own.len() && within.contains(&format!("-{}-", text.to_ascii_lowercase()))
+        };
+        index.people.iter().any(|it| match self {
+            Key::Id => assigned(it).any(is_in),
+            Key::GitHub => it.github.as_deref().is_some_and(is_in),
+            Key::Group | Key::Name => false,
+        })
+    }
+
     /// The people whom a part of a name stands for, and how much it proves if it is only one.
     pub fn owners<'a>(self, own: &str, index: &Index<'a>) -> (Proof, Vec<&'a Person>) {
         match self {
@@ -127,13 +141,8 @@ impl Key {
                 }
             }
             Key::GitHub => {
-                let with =
-                    |login: &str| index.exactly(login, |it| it.github.as_deref().into_iter());
-                // It may also be another's, and something that the instructor or GitHub has added.
-                let is_near = own.match_indices('-').any(|(at, _)| {
-                    !with(&own[..at]).is_empty() || !with(&own[at + 1..]).is_empty()
-                });
-                (if is_near { Proof::Name } else { Proof::Id }, with(own))
+                let with = index.exactly(own, |it| it.github.as_deref().into_iter());
+                (Proof::Id, with)
             }
             // People choose the names of their groups, and several may be written alike.
             Key::Group => {

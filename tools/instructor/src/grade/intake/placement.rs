@@ -91,7 +91,13 @@ impl<'a> Names<'a> {
                 name,
                 may_be_group,
             } => with_account(number, name, *may_be_group, &self.index),
-            Sign::Plain(name) => plain::meant(name, self.named, &self.index),
+            Sign::Plain(name) => {
+                let (proof, found) = plain::meant(name, self.named, &self.index);
+                match plain::may_be_anothers(name, self.named, &self.index) {
+                    true => (proof.min(Proof::Name), found),
+                    false => (proof, found),
+                }
+            }
         }
     }
 }

@@ -29,6 +29,13 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
     }
 }
 
+/// Whether another person's id or login may stand in the name of a clone. If the instructor has named
+/// a folder just after an id, it has this name.
+pub fn may_be_anothers(name: &str, named: &NamePattern, index: &Index) -> bool {
+    let (own, key) = part(name, named);
+    (own != name || key != Key::Id) && key.is_near(own, index)
+}
+
 /// The people who stand in a part of a name.
 fn suggested<'a>(own: &str, index: &Index<'a>) -> Vec<&'a Person> {
     let all = index.find(own).into_iter();

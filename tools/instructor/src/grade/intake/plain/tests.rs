@@ -1,3 +1,4 @@
+use super::super::names::Sign;
 use super::super::placement::place;
 use super::super::placement::tests::{entries, person};
 use super::*;
@@ -162,6 +163,7 @@ fn a_login_that_may_be_anothers_and_something_behind_it_is_listed() {
         ("ada-1", true),
         ("late-ada", true),
         ("Ada-x", true),
+        ("late-ada-1", true),
         ("adam", false),
         ("ada1-ad", false),
     ] {
@@ -174,6 +176,30 @@ fn a_login_that_may_be_anothers_and_something_behind_it_is_listed() {
         let both = [&*name, &format!("{name} (1)")];
         let placed = place(&entries(&both), Some(&people), &pattern("hw1-{github}"));
         assert_eq!(placed.of.is_empty(), is_listed, "{login}: {placed:?}");
+    }
+}
+
+#[test]
+fn an_id_that_may_be_anothers_and_a_branch_is_listed() {
+    let mut people = with_mallory(|it, what| it.name = what.into(), "Mallory");
+    people[3].id = "ab".into();
+    for (named, name, is_listed) in [
+        ("hw1-{id}", "hw1-ab-1", true),
+        ("hw1-{id}-main", "hw1-ab-1-main", true),
+        ("hw1-{id}", "hw1-cd-2", false),
+        // The instructor has named these after ids, and Blackboard knows no branches.
+        ("{id}", "ab-1", false),
+        ("HW1_{id}", "HW1_ab-1_attempt_2026-11-19-10-00-00", false),
+    ] {
+        let mut all = entries(&[name, "HW1_gh-4_attempt_2026-11-19-10-00-00"]);
+        for entry in &mut all {
+            if let Some((login, _)) = entry.name.split_once("_attempt") {
+                entry.signs = vec![Sign::Login(login.into())];
+            }
+        }
+        let placed = place(&all, Some(&people), &pattern(named));
+        assert!(placed.of.contains_key(name), "{name}");
+        assert_eq!(placed.by_name.contains(&name.into()), is_listed, "{name}");
     }
 }
 
