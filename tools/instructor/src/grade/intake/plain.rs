@@ -21,7 +21,7 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
     let by_id = index.with_assigned(name);
     let both = once(found.iter().copied().chain(by_id));
     // In place of an id, it may be a login and a branch, between which GitHub writes a hyphen.
-    let is_clone = own == name && key != named.key() && name.contains('-');
+    let is_clone = named.own(name).is_none() && name.contains('-');
     let most = if is_clone { Proof::Given } else { Proof::Id };
     match both == found {
         true => (proof.min(most), found),
@@ -33,7 +33,7 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
 /// a folder just after an id, it has this name.
 pub fn may_be_anothers(name: &str, named: &NamePattern, index: &Index) -> bool {
     let (own, key) = part(name, named);
-    (own != name || key != Key::Id) && key.is_near(own, index)
+    *named != NamePattern::default() && key.is_near(own, index)
 }
 
 /// The people who stand in a part of a name.

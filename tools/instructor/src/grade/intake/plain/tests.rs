@@ -186,6 +186,8 @@ fn an_id_that_may_be_anothers_and_a_branch_is_listed() {
     for (named, name, is_listed) in [
         ("hw1-{id}", "hw1-ab-1", true),
         ("hw1-{id}-main", "hw1-ab-1-main", true),
+        ("{id}-main", "ab-1-main", true),
+        ("{id}-main", "ab-1", true),
         ("hw1-{id}", "hw1-cd-2", false),
         // The instructor has named these after ids, and Blackboard knows no branches.
         ("{id}", "ab-1", false),
@@ -228,7 +230,8 @@ fn an_id_that_may_be_a_login_and_a_branch_is_listed() {
     let people = with_mallory(|it, what| it.github = Some(what.into()), "ab");
     let placed = |named: &str| place(&entries(&["ab-1"]), Some(&people), &pattern(named));
     assert_eq!(placed("{github}-main").contested, ["ab-1"]);
-    assert_eq!(placed("{id}-main").contested, [""; 0]);
+    assert_eq!(placed("{id}-main").contested, ["ab-1"]);
+    assert_eq!(placed("{id}").contested, [""; 0]);
 }
 
 #[test]
