@@ -50,7 +50,7 @@ pub fn rows<'a>(roll: &'a Roll, records: &'a BTreeMap<String, RecordSummary>) ->
 #[derive(Default)]
 struct Open {
     late_sometime: Vec<String>,
-    late_by_name: Vec<String>,
+    later_by_name: Vec<String>,
     unknown: Vec<String>,
     contested: Vec<String>,
     undecided: Vec<String>,
@@ -130,10 +130,10 @@ fn apply<'a>(policy: &Policy, roll: &'a Roll, rows: &mut Rows<'a>) {
             open.late_sometime,
         ),
         (
-            "late by the platform's name for the files, but not by the table of times: counted as on \
-             time; pass a newer table (`times` in policy.toml)",
+            "later by the platform's name for the files than by the table of times: counted by the table; \
+             pass a newer one (`times` in policy.toml)",
             true,
-            open.late_by_name,
+            open.later_by_name,
         ),
         (
             "in the table of times under an id or login that may be another person's: counted as on \
@@ -221,8 +221,8 @@ struct Attempt {
     at: usize,
     id: String,
     lateness: Lateness,
-    /// Whether it is late according to the names of its files, whatever the table of times says.
-    is_late_by_name: bool,
+    /// How late it is according to the names of its files, whatever the table of times says.
+    by_name: Lateness,
     time: Option<HandInTime<jiff::Timestamp>>,
     judged: Option<JudgedPoints>,
     /// An id or login that the table of times may list for another person; see
@@ -239,17 +239,11 @@ impl Attempt {
         let handed_in = policy.handed_in(row.entry, row.person, people);
         let contested = handed_in.as_ref().err().cloned();
         let time = handed_in.unwrap_or_default();
-        let by_name = policy.lateness(policy.named(row.entry), team);
         Attempt {
             at,
             id: row.entry.id.clone(),
             lateness: policy.lateness(time, team),
-            is_late_by_name: match (by_name, time) {
-                (Lateness::Late { .. }, _) => true,
-                // The platform knows no extension and no grace period.
-                (Lateness::LateSometime, Some(HandInTime::At(time))) => policy.is_early(time),
-                _ => false,
-            },
+            by_name: policy.lateness(policy.named(row.entry), team),
             time,
             contested,
             judged: row
@@ -270,8 +264,29 @@ impl Attempt {
     }
 
     fn mark(&self, policy: &Policy, person: Option<&Person>) -> Option<Mark> {
+        self.mark_if(&self.lateness, policy, person)
+    }
+
+    fn mark_if(&self, late: &Lateness, policy: &Policy, person: Option<&Person>) -> Option<Mark> {
         let id = person.map(|person| person.id.as_str());
-        Some(policy.mark(self.judged?, &self.lateness, id))
+        Some(policy.mark(self.judged?, late, id))
+    }
+
+    /// Whether it is later by the names of its files than by the table of times, and that matters.
+    fn is_later_by_name(&self, policy: &Policy, person: Option<&Person>) -> bool {
+        match (&self.by_name, &self.lateness, self.time) {
+            (Lateness::Late { .. }, Lateness::InTime, _) => true,
+            (Lateness::Late { at: named, .. }, Lateness::Late { at, .. }, _) => {
+                let of = |late| self.mark_if(late, policy, person);
+                let cost = |late| of(late).map(|mark| (mark.last, mark.late_days));
+                named > at && cost(&self.by_name) != cost(&self.lateness)
+            }
+            // The platform knows no extension and no grace period.
+            (Lateness::LateSometime, Lateness::InTime, Some(HandInTime::At(time))) => {
+                policy.is_early(time)
+            }
+            _ => false,
+        }
     }
 }
 
@@ -336,10 +351,11 @@ fn give<'a>(
                     Some(key) => open.contested.push(format!("{}: {key}", counts.id)),
                     None => open.unknown.push(counts.id.clone()),
                 },
-                Lateness::InTime if counts.is_late_by_name => {
-                    open.late_by_name.push(counts.id.clone());
+                Lateness::InTime | Lateness::Late { .. } => {
+                    if counts.is_later_by_name(policy, person) {
+                        open.later_by_name.push(counts.id.clone());
+                    }
                 }
-                Lateness::InTime | Lateness::Late { .. } => {}
             }
         }
     }

@@ -488,6 +488,11 @@ fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
         };
         let without = again(&whole, with(&[]));
         assert_eq!(listed(&without), [""; 0]);
+        // A merge into a folder without a table does not, either.
+        let mut into = without.clone();
+        into.note_changes(&class(&all, &[]));
+        into.set_policy(with(old).policy.expect("it has one"));
+        assert_eq!(listed(&into), ids);
         for (times, ids) in [(old, ids), (new, &[])] {
             assert_eq!(listed(&again(&without, with(times))), ids);
             let mut merged = without.clone();
@@ -500,14 +505,18 @@ fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
 }
 
 #[test]
-fn late_files_that_are_in_time_by_the_table_of_times_are_listed() {
+fn files_that_are_earlier_by_the_table_of_times_than_by_their_names_are_listed() {
     let canvas = "ada_LATE_1_2_a.zip";
     let extended = format!("{RULES}\n[extensions]\nada = '2026-11-25 12:00'\n");
+    let days_late = "x_attempt_2026-11-24-13-00-00_a.zip";
     for (name, time, rules, is_listed) in [
+        (days_late, "13:00", RULES, true),
+        (days_late, "13:00", &extended, false),
         (LATE, "11:00", RULES, true),
         (canvas, "11:00", RULES, true),
         (EARLY, "11:00", RULES, false),
         (LATE, "13:00", RULES, false),
+        (LATE, "12:59", RULES, false),
         // Canvas knows nothing of the extension.
         (canvas, "13:00", &extended, false),
         (canvas, "11:00", &extended, true),
@@ -518,7 +527,7 @@ fn late_files_that_are_in_time_by_the_table_of_times_are_listed() {
             keys: vec![(TimeKey::Id, "ada".into())],
             at: format!("2026-11-20T{time}:00Z").parse().ok(),
         });
-        let concerns = rows(&roll, &BTreeMap::new()).concerns;
+        let concerns = rows(&roll, &records(&[("one", 60)])).concerns;
         let of_name = concerns
             .iter()
             .filter(|it| it.what.contains("name for the files"));
