@@ -173,7 +173,8 @@ fn with_class(
     // A class of another version is graded again.
     if let Ok(class) = Roll::read(&earlier) {
         roll.note_changes(&class);
-        roll.doubt_earlier_answers(&class);
+        roll.remember_alone(&class);
+        roll.doubt_earlier_answers();
     }
     Ok((roll.entries.clone(), roll))
 }

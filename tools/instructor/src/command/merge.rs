@@ -86,8 +86,9 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     // A class of another version is merged again.
     if let Ok(class) = Roll::read(&earlier) {
         roll.note_changes(&class);
-        roll.doubt_earlier_answers(&class);
+        roll.remember_alone(&class);
     }
+    roll.doubt_earlier_answers();
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {
         cache: &cache,
@@ -261,8 +262,8 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
         let earlier = common.take();
         let roll = common.insert(roll);
         if let Some(earlier) = earlier {
+            roll.remember_alone(&earlier);
             roll.changed.extend(earlier.changed);
-            roll.alone.extend(earlier.alone);
         }
     }
     let common =

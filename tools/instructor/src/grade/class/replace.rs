@@ -250,36 +250,47 @@ mod tests {
                 &[],
             )
         };
+        let after = |mut roll: Roll, class: &Roll| {
+            roll.remember_alone(class);
+            roll.doubt_earlier_answers();
+            roll
+        };
         let mut alone = of("new");
         alone.entries.truncate(1);
         let whole = alone.into_class(of("old"));
         for (answers, listed) in [("old", &["ada"][..]), ("new", &[])] {
-            let mut again = of(answers);
-            again.doubt_earlier_answers(&whole);
+            let again = after(of(answers), &whole);
             let doubtful = again.entries.iter().filter(|it| !it.doubts.is_empty());
             let doubtful: Vec<&str> = doubtful.map(|it| &*it.id).collect();
             assert_eq!(doubtful, listed);
             // In the next run, too.
-            let mut next = of(answers);
-            next.doubt_earlier_answers(&again);
+            let next = after(of(answers), &again);
             assert_eq!(next.entries[0].doubts.is_empty(), listed.is_empty());
         }
-        let mut newer = of("new");
-        newer.doubt_earlier_answers(&of("old"));
+        let newer = after(of("new"), &of("old"));
         assert!(
             newer.entries[0].doubts.is_empty(),
             "the class itself is newer"
         );
         // A merge takes what was passed alone to a part, and keeps what was passed alone to it.
-        for (mut part, merged) in [(whole.clone(), of("old")), (of("old"), whole)] {
+        for (part, merged) in [(whole.clone(), of("old")), (of("old"), whole.clone())] {
             assert!(part.has_same_submissions(&Roll {
                 alone: BTreeMap::new(),
                 ..part.clone()
             }));
-            part.doubt_earlier_answers(&merged);
-            let mut again = of("old");
-            again.doubt_earlier_answers(&part);
+            let again = after(of("old"), &after(part, &merged));
             assert!(!again.entries[0].doubts.is_empty());
+        }
+        // Nobody knows which of these are newer.
+        let mut alone = of("newer");
+        alone.entries.truncate(1);
+        let newer = alone.into_class(of("old"));
+        for answers in ["new", "newer"] {
+            let mut both = of(answers);
+            both.remember_alone(&whole);
+            let both = after(both, &newer);
+            let doubts = &both.entries[0].doubts;
+            assert_eq!(doubts.len(), 1, "{answers}: {doubts:?}");
         }
     }
 

@@ -43,9 +43,10 @@ pub struct Roll {
     /// The table of times of the class that was graded into the same folder before.
     #[serde(default)]
     pub earlier_times: Vec<TimeLine>,
-    /// The answers of submissions that were passed alone after the class, by their names.
+    /// The answers of submissions that were passed alone after the class, by their names: several if
+    /// nobody knows which are the newest, because they were passed to several folders.
     #[serde(default)]
-    pub alone: BTreeMap<String, Vec<Answers>>,
+    pub alone: BTreeMap<String, BTreeSet<Vec<Answers>>>,
 }
 
 /// See [`Entry::answers`].
@@ -110,7 +111,10 @@ impl Roll {
     pub fn into_class(self, mut class: Roll) -> Roll {
         let new = self.keys();
         let old = class.clone();
-        class.alone.extend(self.answers());
+        let alone = self.answers().into_iter();
+        class
+            .alone
+            .extend(alone.map(|(key, it)| (key, [it].into())));
         class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
@@ -127,18 +131,25 @@ impl Roll {
         class
     }
 
+    /// Remembers what was passed alone after another run for the same class.
+    pub fn remember_alone(&mut self, other: &Roll) {
+        for (key, all) in &other.alone {
+            let own = self.alone.entry(key.clone()).or_default();
+            own.extend(all.iter().cloned());
+        }
+    }
+
     /// Lists the submissions that were passed alone after the class, with other answers than now. What
     /// was passed alone is probably newer.
-    pub fn doubt_earlier_answers(&mut self, class: &Roll) {
+    pub fn doubt_earlier_answers(&mut self) {
         let own = self.answers();
-        let earlier = std::mem::replace(&mut self.alone, class.alone.clone());
-        self.alone.extend(earlier);
         self.alone.retain(|key, _| own.contains_key(key));
         for entry in &mut self.entries {
-            let alone = self.alone.get(entry.key());
-            if alone.is_some_and(|it| *it != own[entry.key()]) {
-                let why = "its answers are not those that you passed alone after the class: put the ones \
-                           that count into the class's folder, or pass them alone again";
+            let why = "its answers are not those that you passed alone after the class: put the ones that \
+                       count into the class's folder, or pass them alone again";
+            let mut alone = self.alone.get(entry.key()).into_iter().flatten();
+            let is_other = alone.any(|it| *it != own[entry.key()]);
+            if is_other && !entry.doubts.iter().any(|it| it == why) {
                 entry.doubts.push(why.into());
             }
         }
@@ -170,8 +181,10 @@ impl Roll {
     /// the same folder before. If the table of times is still the same, it may say when the earlier
     /// answers were handed in.
     pub fn note_changes(&mut self, class: &Roll) {
-        self.earlier_times = class.last_times().to_vec();
-        if self.last_times() != self.earlier_times {
+        if self.last_times().is_empty() {
+            self.earlier_times = class.last_times().to_vec();
+        }
+        if self.last_times() != class.last_times() {
             return;
         }
         let mut old = class.answers();
