@@ -281,10 +281,25 @@ mod tests {
             let again = after(of("old"), &after(part, &merged));
             assert!(!again.entries[0].doubts.is_empty());
         }
+        // The class may be passed as `class/*`, also without somebody.
+        let again = of("old").into_class(whole.clone());
+        for class in [&again, &of("old").into_class(again.clone())] {
+            assert_eq!(class.entries[0].doubts.len(), 1);
+        }
+        let again = of("new").into_class(of("old").into_class(of("old")));
+        assert!(again.entries[0].doubts.is_empty(), "it is newer");
+        let mut three = of("old");
+        three.entries.push(entry("eve", "eve", "eve"));
+        let mut alone = of("new");
+        alone.entries.truncate(1);
+        let again = of("old").into_class(alone.into_class(three));
+        assert_eq!(again.entries[0].doubts.len(), 1);
         // Nobody knows which of these are newer.
         let mut alone = of("newer");
         alone.entries.truncate(1);
-        let newer = alone.into_class(of("old"));
+        let newer = alone.clone().into_class(of("old"));
+        let latest = after(of("newer"), &alone.into_class(whole.clone()));
+        assert!(latest.entries[0].doubts.is_empty(), "passed alone again");
         for answers in ["new", "newer"] {
             let mut both = of(answers);
             both.remember_alone(&whole);

@@ -111,10 +111,15 @@ impl Roll {
     pub fn into_class(self, mut class: Roll) -> Roll {
         let new = self.keys();
         let old = class.clone();
-        let alone = self.answers().into_iter();
-        class
-            .alone
-            .extend(alone.map(|(key, it)| (key, [it].into())));
+        // If the whole class is passed again, as by `class/*`, its answers needn't be the newest.
+        let is_whole = old.keys().is_subset(&new) && self.entries.len() > 1;
+        for (key, answers) in self.answers().into_iter().filter(|_| !is_whole) {
+            let alone = class.alone.entry(key).or_default();
+            if self.entries.len() == 1 {
+                alone.clear();
+            }
+            alone.insert(answers);
+        }
         class.entries.retain(|entry| !new.contains(entry.key()));
         class.entries.extend(self.entries);
         class.entries.sort_by(|a, b| a.id.cmp(&b.id));
@@ -127,6 +132,7 @@ impl Roll {
         class.policy = self.policy.or(class.policy);
         class.changed.clear();
         class.note_changes(&old);
+        class.doubt_earlier_answers();
         class.place();
         class
     }
