@@ -29,11 +29,12 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
     }
 }
 
-/// Whether another person's id or login may stand in the name of a clone. If the instructor has named
+/// Whether a group's name, or another person's id or login, may stand in the name of a clone. If the instructor has named
 /// a folder just after an id, it has this name.
 pub fn may_be_anothers(name: &str, named: &NamePattern, index: &Index) -> bool {
     let (own, key) = part(name, named);
-    *named != NamePattern::default() && key.is_near(own, index)
+    let is_group = || key == Key::GitHub && !Key::Group.owners(own, index).1.is_empty();
+    *named != NamePattern::default() && (key.is_near(own, index) || is_group())
 }
 
 /// The people who stand in a part of a name.

@@ -164,10 +164,13 @@ fn a_login_that_may_be_anothers_and_something_behind_it_is_listed() {
         ("late-ada", true),
         ("Ada-x", true),
         ("late-ada-1", true),
+        ("teamwork", true),
         ("adam", false),
         ("ada1-ad", false),
     ] {
-        let people = with_mallory(|it, what| it.github = Some(what.into()), login);
+        let mut people = with_mallory(|it, what| it.github = Some(what.into()), login);
+        // A group's repository may have the group's name.
+        people[1].group = Some("Teamwork".into());
         let name = format!("hw1-{login}");
         let placed = place(&entries(&[&name]), Some(&people), &pattern("hw1-{github}"));
         assert_eq!(placed.of[&name].id, "ef-3");
