@@ -172,10 +172,11 @@ fn with_class(
     replace::refuse_partial_class(&roll, &earlier, one)?;
     // A class of another version is graded again.
     if let Ok(class) = Roll::read(&earlier) {
-        roll.note_changes(&class);
+        roll.remember_times(&class);
         roll.remember_alone(&class);
         roll.doubt_earlier_answers();
     }
+    roll.note_times();
     Ok((roll.entries.clone(), roll))
 }
 
@@ -237,8 +238,7 @@ fn roll(arguments: &Grade, assignment: &Assignment) -> Result<Roll> {
         ignored: intake.ignored,
         passed: intake.passed,
         policy,
-        changed: BTreeMap::new(),
-        earlier_times: Vec::new(),
+        timed: Vec::new(),
         alone: BTreeMap::new(),
     };
     roll.place();

@@ -29,7 +29,7 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     let (mut roll, parts, handed_in_again) = read(&arguments.shards)?;
     replace::refuse_other_assignment(&assignment.name, &roll)?;
     if let Some(path) = &arguments.policy {
-        roll.set_policy(Policy::read(path, &assignment)?);
+        roll.policy = Some(Policy::read(path, &assignment)?);
         roll.place();
     }
     let earlier = arguments.out.join(ROLL);
@@ -85,10 +85,11 @@ pub fn run(checkout: &Checkout, arguments: &Merge) -> Result<Status> {
     change::sort(&mut run.changes);
     // A class of another version is merged again.
     if let Ok(class) = Roll::read(&earlier) {
-        roll.note_changes(&class);
+        roll.remember_times(&class);
         roll.remember_alone(&class);
     }
     roll.doubt_earlier_answers();
+    roll.note_times();
     cache.write(ROLL, &pretty(&roll)?)?;
     let output = ClassOutput {
         cache: &cache,
@@ -263,7 +264,7 @@ fn read(shards: &[PathBuf]) -> Result<(Roll, Vec<Part<'_>>, BTreeSet<String>)> {
         let roll = common.insert(roll);
         if let Some(earlier) = earlier {
             roll.remember_alone(&earlier);
-            roll.changed.extend(earlier.changed);
+            roll.remember_times(&earlier);
         }
     }
     let common =

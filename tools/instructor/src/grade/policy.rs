@@ -193,7 +193,8 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<Vec<TimeLine>> {
         }
         let time = table.needed_column(&TIME)?;
         let of = |(line, row): &(u64, csv::StringRecord)| {
-            let at = match cell(row, time) {
+            let said = cell(row, time);
+            let at = match said {
                 "" | "-" => None,
                 text => {
                     let at = times::timestamp(text, zone);
@@ -206,7 +207,11 @@ fn times_in(path: &Path, zone: Option<&TimeZone>) -> Result<Vec<TimeLine>> {
             });
             let keys = keys.filter(|(_, key)| !key.is_empty());
             let keys = keys.map(|(kind, key)| (kind, key.to_owned())).collect();
-            Ok(TimeLine { keys, at })
+            Ok(TimeLine {
+                keys,
+                at,
+                said: said.to_owned(),
+            })
         };
         table.rows.iter().map(of).collect()
     })

@@ -33,9 +33,6 @@ impl Roll {
         });
         let superseded = placed.superseded.iter();
         let superseded = superseded.map(|(upload, id)| format!("{upload} (graded: {id})"));
-        let has_old_time = |it: &&Entry| self.changed.contains_key(it.key());
-        let with_old_times = self.entries.iter().filter(has_old_time);
-        let with_old_times = with_old_times.filter(|_| !self.times().is_empty());
         let all: [(&str, bool, Vec<String>); 11] = [
             (
                 "with missing or refused answer files",
@@ -70,11 +67,14 @@ impl Roll {
             ),
             ("not part of any submission", true, self.ignored.clone()),
             (
-                "new, or with other answers than before, but with the same table of times, which may \
-                 say when earlier answers were handed in: grade the whole class with a newer table (`times` \
-                 in policy.toml), or check that it is right",
+                "new, or with other answers than before, but with the same time in the table, which may say \
+                 when earlier answers were handed in: grade the whole class with a newer table (`times` in \
+                 policy.toml), or check that it is right",
                 true,
-                with_old_times.map(|it| self.called(&it.id)).collect(),
+                self.with_old_times()
+                    .iter()
+                    .map(|it| self.called(&it.id))
+                    .collect(),
             ),
             ("who handed in nothing", false, people(&placed.missing)),
             (

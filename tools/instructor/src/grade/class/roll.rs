@@ -37,12 +37,10 @@ pub struct Roll {
     /// How judged points become final marks.
     #[serde(default)]
     pub policy: Option<Policy>,
-    /// The answers that submissions of a name had when the table of times was passed first, if they
-    /// have others now: see [`Roll::note_changes`].
-    pub changed: BTreeMap<String, Vec<Answers>>,
-    /// The table of times of the class that was graded into the same folder before.
+    /// The lines of all tables of times that were passed, each with the submissions that it counted for
+    /// when it was passed first, and their answers.
     #[serde(default)]
-    pub earlier_times: Vec<TimeLine>,
+    pub timed: Vec<(TimeLine, BTreeMap<String, Vec<Answers>>)>,
     /// The answers of submissions that were passed alone after the class, by their names: several if
     /// nobody knows which are the newest, because they were passed to several folders.
     #[serde(default)]
@@ -70,9 +68,8 @@ impl Roll {
     pub fn has_same_submissions(&self, other: &Roll) -> bool {
         let here = Roll {
             passed: other.passed.clone(),
-            changed: other.changed.clone(),
+            timed: other.timed.clone(),
             alone: other.alone.clone(),
-            earlier_times: other.earlier_times.clone(),
             ..self.clone()
         };
         here == *other
@@ -130,10 +127,9 @@ impl Roll {
         class.ignored.dedup();
         class.placed.superseded.extend(self.placed.superseded);
         class.policy = self.policy.or(class.policy);
-        class.changed.clear();
-        class.note_changes(&old);
         class.doubt_earlier_answers();
         class.place();
+        class.note_times();
         class
     }
 
@@ -166,41 +162,53 @@ impl Roll {
         self.policy.as_ref().map_or(&[], |policy| &policy.times)
     }
 
-    /// The table of times or, without one, the last table that was passed.
-    fn last_times(&self) -> &[TimeLine] {
-        match self.times() {
-            [] => &self.earlier_times,
-            own => own,
-        }
-    }
-
-    /// Takes other rules. Another table of times is up to date.
-    pub fn set_policy(&mut self, policy: Policy) {
-        self.earlier_times = self.last_times().to_vec();
-        self.policy = Some(policy);
-        if self.last_times() != self.earlier_times {
-            self.changed.clear();
-        }
-    }
-
-    /// Notes which submissions are new, or have other answers than in the class that was graded into
-    /// the same folder before. If the table of times is still the same, it may say when the earlier
-    /// answers were handed in.
-    pub fn note_changes(&mut self, class: &Roll) {
-        if self.last_times().is_empty() {
-            self.earlier_times = class.last_times().to_vec();
-        }
-        if self.last_times() != class.last_times() {
-            return;
-        }
-        let mut old = class.answers();
-        old.extend(class.changed.clone());
-        for (key, answers) in self.answers() {
-            let old = old.remove(&key).unwrap_or_default();
-            if old != answers {
-                self.changed.entry(key).or_insert(old);
+    /// Remembers the tables of times of another run for the same class. If a line counted for other
+    /// answers there, nobody knows which it is about.
+    pub fn remember_times(&mut self, other: &Roll) {
+        for (line, of) in &other.timed {
+            match self.timed.iter_mut().find(|(own, _)| own.is_same(line)) {
+                Some((_, own)) => own.retain(|key, answers| of.get(key) == Some(answers)),
+                None => self.timed.push((line.clone(), of.clone())),
             }
         }
+    }
+
+    /// Notes which answers the new lines of the table of times count for.
+    pub fn note_times(&mut self) {
+        let answers = self.answers();
+        let mut new = Vec::new();
+        for line in self.times() {
+            if self.timed.iter().any(|(known, _)| known.is_same(line)) {
+                continue;
+            }
+            let of = self.entries.iter().map(Entry::key).zip(&self.entries);
+            let of = of.filter(|(_, entry)| self.line_of(entry) == Some(line));
+            let of = of.map(|(key, _)| (key.to_owned(), answers[key].clone()));
+            new.push((line.clone(), of.collect()));
+        }
+        self.timed.extend(new);
+    }
+
+    fn line_of(&self, entry: &Entry) -> Option<&TimeLine> {
+        let people = self.people.as_deref().unwrap_or_default();
+        let person = self.placed.of.get(&entry.id);
+        self.policy.as_ref()?.line_of(entry, person, people)
+    }
+
+    /// The submissions whose line in the table of times was passed before, for other answers or for
+    /// none. It may say when earlier ones were handed in.
+    pub fn with_old_times(&self) -> Vec<&Entry> {
+        let answers = self.answers();
+        let is_old = |entry: &&Entry| {
+            let line = self.line_of(entry);
+            let known = self.timed.iter();
+            let known = known.filter(|(known, _)| line.is_some_and(|line| line.is_same(known)));
+            let key = entry.key();
+            known
+                .map(|(_, of)| of.get(key))
+                .any(|of| of != Some(&answers[key]))
+        };
+        self.entries.iter().filter(is_old).collect()
     }
 
     /// The answers of all submissions of each name.

@@ -226,6 +226,7 @@ fn a_number_in_a_name_with_several_meanings_gives_no_time() {
         times: vec![super::times::TimeLine {
             keys: vec![(TimeKey::Number, "99".into())],
             at: "2026-11-20T10:00:00Z".parse().ok(),
+            said: String::new(),
         }],
         ..Policy::default()
     };

@@ -38,9 +38,18 @@ pub struct TimeLine {
     pub keys: Vec<(TimeKey, String)>,
     /// The time; `None` if the person has handed in nothing.
     pub at: Option<Timestamp>,
+    /// The time as the table writes it, perhaps without a time zone.
+    #[serde(default)]
+    pub said: String,
 }
 
 impl TimeLine {
+    /// Whether both say the same of a person. The policy's time zone may have been corrected.
+    pub fn is_same(&self, other: &TimeLine) -> bool {
+        let has_key = self.keys.iter().any(|key| other.keys.contains(key));
+        has_key && (self.said == other.said || self.at == other.at)
+    }
+
     fn has(&self, (kind, key): &(TimeKey, &String)) -> bool {
         let is = |text: &String| match kind {
             TimeKey::Login => text.eq_ignore_ascii_case(key),
@@ -79,15 +88,15 @@ impl TimeLine {
 
 /// What the table of times says about a person.
 #[derive(Debug, PartialEq)]
-enum ListedTime {
+enum ListedTime<'a> {
     Absent,
-    At(Timestamp),
+    At(&'a TimeLine),
     /// This id, login or submission's name is also another person's.
     Contested(String),
 }
 
-impl ListedTime {
-    fn or(self, other: impl FnOnce() -> ListedTime) -> ListedTime {
+impl<'a> ListedTime<'a> {
+    fn or(self, other: impl FnOnce() -> ListedTime<'a>) -> ListedTime<'a> {
         match self {
             ListedTime::Absent => other(),
             said => said,
@@ -102,9 +111,10 @@ fn are_of_several(lines: &[&TimeLine]) -> bool {
 
 /// The last time on these lines. If there are several, we don't know which is meant, and nobody should
 /// get away with being late.
-fn last(lines: &[&TimeLine]) -> ListedTime {
-    let last = lines.iter().filter_map(|line| line.at).max();
-    last.map_or(ListedTime::Absent, ListedTime::At)
+fn last<'a>(lines: &[&'a TimeLine]) -> ListedTime<'a> {
+    let lines = lines.iter().filter(|line| line.at.is_some());
+    let last = lines.max_by_key(|line| line.at);
+    last.map_or(ListedTime::Absent, |line| ListedTime::At(line))
 }
 
 /// A time zone by its name.
@@ -163,7 +173,12 @@ impl Policy {
 
     /// What the table of times says about a submission or, if it doesn't name it, about the person
     /// who handed it in. `people` is the roster.
-    fn in_table(&self, entry: &Entry, person: Option<&Person>, people: &[Person]) -> ListedTime {
+    fn in_table(
+        &self,
+        entry: &Entry,
+        person: Option<&Person>,
+        people: &[Person],
+    ) -> ListedTime<'_> {
         if self.times.is_empty() {
             return ListedTime::Absent;
         }
@@ -232,6 +247,19 @@ impl Policy {
         last(&named).or(|| last(&listed)).or(contested)
     }
 
+    /// The line of the table of times that counts for a submission.
+    pub fn line_of(
+        &self,
+        entry: &Entry,
+        person: Option<&Person>,
+        people: &[Person],
+    ) -> Option<&TimeLine> {
+        match self.in_table(entry, person, people) {
+            ListedTime::At(line) => Some(line),
+            ListedTime::Absent | ListedTime::Contested(_) => None,
+        }
+    }
+
     /// When a submission was handed in, according to the table of times or, if it doesn't say,
     /// the names of its files. `people` is the roster.
     ///
@@ -245,8 +273,8 @@ impl Policy {
         people: &[Person],
     ) -> Result<Option<HandInTime<Timestamp>>, String> {
         let listed = self.in_table(entry, person, people);
-        if let ListedTime::At(time) = listed {
-            return Ok(Some(HandInTime::At(time)));
+        if let ListedTime::At(line) = listed {
+            return Ok(line.at.map(HandInTime::At));
         }
         match (self.named(entry), listed) {
             (None, ListedTime::Contested(key)) => Err(key),

@@ -177,7 +177,7 @@ fn a_class_from_four_places_is_matched_judged_and_summed_up() {
     old_times_are_listed_wherever_marks_are(&class, &[&line[..], &more].concat());
 }
 
-const OLD_TIMES: &str = "with the same table of times";
+const OLD_TIMES: &str = "with the same time in the table";
 
 /// Checks that Grace's new answers are listed until there is a newer table of times. `whole` grades
 /// the class.
@@ -188,7 +188,7 @@ fn old_times_are_listed_wherever_marks_are(class: &Class, whole: &[&str]) {
     // One part has noticed the change, and the other has not.
     let roll = class.read("out/roll.json");
     let mut unaware: serde_json::Value = serde_json::from_str(&roll).expect("it is JSON");
-    unaware["changed"] = serde_json::json!({});
+    unaware["timed"] = serde_json::json!([]);
     put(
         &class.folder,
         &[("part/roll.json".into(), unaware.to_string().into_bytes())],

@@ -171,6 +171,7 @@ fn a_member_of_a_group_is_as_late_as_the_table_of_times_says() {
         policy.times.push(TimeLine {
             keys: vec![(TimeKey::Id, id.into())],
             at: Some(time.expect("it is a time")),
+            said: String::new(),
         });
     }
     let records = records(&[("one", 60), ("two", 95)]);
@@ -197,6 +198,7 @@ fn a_time_under_a_login_that_two_people_have_is_listed_and_counts_for_neither() 
             policy.times.push(TimeLine {
                 keys: vec![(TimeKey::Login, login.into())],
                 at: Some(time.expect("it is a time")),
+                said: String::new(),
             });
         }
         let records = records(&[("ada", 60), ("bob", 60), ("eve", 60)]);
@@ -327,6 +329,7 @@ fn unknown_lateness_and_unknown_ids_are_listed() {
     policy.times.push(TimeLine {
         keys: vec![(TimeKey::Id, "eve".into())],
         at: None,
+        said: String::new(),
     });
     let concerns = rows(&roll, &nothing_graded).concerns;
     let mut concerns = concerns.iter();
@@ -342,6 +345,7 @@ fn nobody_is_late_because_somebody_else_has_typed_in_their_id() {
             .map(|(kind, key)| (*kind, (*key).into()))
             .collect(),
         at: format!("2026-11-{day}T11:00:00Z").parse().ok(),
+        said: String::new(),
     };
     let [id, login, submission] = [TimeKey::Id, TimeKey::Login, TimeKey::Submission];
     let entries = ["ada", "eve"].map(|id| entry(id, id, id)).to_vec();
@@ -436,10 +440,11 @@ fn two_groups_of_one_name_get_their_own_marks() {
 }
 
 #[test]
-fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
-    let line = |day: u32| TimeLine {
-        keys: vec![(TimeKey::Id, "ada".into())],
-        at: format!("2026-11-{day}T11:00:00Z").parse().ok(),
+fn new_answers_with_the_same_time_in_the_table_are_listed_until_either_changes() {
+    let line = |id: &str, day: u32, hour: u32| TimeLine {
+        keys: vec![(TimeKey::Id, id.into())],
+        at: format!("2026-11-{day}T{hour}:00:00Z").parse().ok(),
+        said: format!("2026-11-{day}"),
     };
     let class = |all: &[(&str, &str)], times: &[TimeLine]| {
         let entries = all.iter().map(|(id, answers)| Entry {
@@ -452,56 +457,74 @@ fn new_answers_with_the_same_table_of_times_are_listed_until_either_changes() {
     };
     let listed = |roll: &Roll| {
         let concerns = roll.concerns().into_iter();
-        let mut of_times = concerns.filter(|it| it.what.contains("same table of times"));
+        let mut of_times = concerns.filter(|it| it.what.contains("same time in the table"));
         of_times.next().map_or_else(Vec::new, |it| it.which)
     };
-    let [old, new] = [&[line(20)], &[line(25)]];
-    let again = |roll: &Roll, mut next: Roll| {
-        next.note_changes(roll);
+    let after = |earlier: &[&Roll], mut next: Roll| {
+        for earlier in earlier {
+            next.remember_times(earlier);
+        }
+        next.note_times();
         next
     };
-    let first = class(&[("ada", "a"), ("bob", "b")], old);
-    assert_eq!(listed(&again(&first, first.clone())), [""; 0]);
-    let ada = || class(&[("ada", "new")], old);
-    let all = [("ada", "new"), ("bob", "b"), ("eve", "e")];
+    // The other line says something about somebody who has not handed in anything yet.
+    let old = [line("ada", 20, 11), line("eve", 20, 11)];
+    let before = [("ada", "a"), ("bob", "b")];
+    let now = [("ada", "new"), ("bob", "b"), ("eve", "e")];
+    let first = after(&[], class(&before, &old));
+    assert_eq!(listed(&first), [""; 0]);
+    assert_eq!(listed(&after(&[&first], class(&before, &old))), [""; 0]);
+    let ada = || class(&now[..1], &old);
+    let whole = after(&[&first], class(&now, &old));
     for (whole, ids) in [
-        (again(&first, class(&all, old)), &["ada", "eve"][..]),
-        (ada().into_class(first.clone()), &["ada"]),
+        (&whole, &["ada", "eve"][..]),
+        (&ada().into_class(first.clone()), &["ada"]),
     ] {
-        assert_eq!(listed(&whole), ids);
+        assert_eq!(listed(whole), ids);
         // They are listed in later runs, too.
-        let mut same = whole.clone();
-        same.changed.clear();
-        assert_eq!(listed(&again(&whole, same)), ids);
-        let bob = class(&[("bob", "b")], old);
+        let bob = class(&[("bob", "b")], &old);
         assert_eq!(listed(&bob.into_class(whole.clone())), ids);
-        let ada = class(&[("ada", "a")], old);
+        let ada = class(&before[..1], &old);
         assert_eq!(listed(&ada.into_class(whole.clone())), ids[1..]);
-        let [newer, restored] = [(&all[..], new), (&[("ada", "a"), ("bob", "b")], old)]
-            .map(|(all, times)| listed(&again(&whole, class(all, times))));
-        assert_eq!((newer, restored), (Vec::new(), Vec::new()));
-        // A run without the table does not make it newer.
-        let with = |times| Roll {
-            policy: class(&[], times).policy,
-            changed: BTreeMap::new(),
-            ..whole.clone()
-        };
-        let without = again(&whole, with(&[]));
-        assert_eq!(listed(&without), [""; 0]);
-        // A merge into a folder without a table does not, either.
-        let mut into = without.clone();
-        into.note_changes(&class(&all, &[]));
-        into.set_policy(with(old).policy.expect("it has one"));
-        assert_eq!(listed(&into), ids);
-        for (times, ids) in [(old, ids), (new, &[])] {
-            assert_eq!(listed(&again(&without, with(times))), ids);
-            let mut merged = without.clone();
-            merged.set_policy(with(times).policy.expect("it has one"));
-            assert_eq!(listed(&merged), ids);
+    }
+    let both = &["ada", "eve"][..];
+    let without = after(&[&whole], class(&now, &[]));
+    let newer = [line("ada", 25, 11), line("eve", 25, 11)];
+    for (times, ids) in [
+        (&old[..], both),
+        (&[], &[]),
+        (&newer, &[]),
+        // One of the lines is newer, or they stand elsewhere, or the time zone was wrong.
+        (&[line("ada", 20, 11), line("eve", 25, 11)], &both[..1]),
+        (&[line("eve", 20, 11), line("ada", 20, 11)], both),
+        (&[line("ada", 20, 12), line("eve", 20, 12)], both),
+    ] {
+        for earlier in [
+            &[&whole][..],
+            &[&without],
+            &[&without, &first],
+            &[&first, &without],
+        ] {
+            assert_eq!(
+                listed(&after(earlier, class(&now, times))),
+                ids,
+                "{times:?}"
+            );
         }
     }
-    let none = class(&[("ada", "a")], &[]);
-    assert_eq!(listed(&class(&all, &[]).into_class(none)), [""; 0]);
+    assert_eq!(listed(&after(&[&whole], class(&before, &old))), [""; 0]);
+    // Each line is about few submissions, so what is stored stays small.
+    assert!(first.timed[0].1.keys().eq(["ada"]), "{first:?}");
+    // The class may be passed as `class/*`.
+    let again = class(&before, &newer).into_class(first.clone());
+    assert_eq!(listed(&again), [""; 0]);
+    let again = class(&now[..2], &newer).into_class(again);
+    assert_eq!(listed(&again), both[..1]);
+    // Two runs have seen different answers first.
+    let other = after(&[], class(&now, &old));
+    for parts in [[&first, &other], [&other, &first]] {
+        assert_eq!(listed(&after(&parts, class(&now, &old))), both);
+    }
 }
 
 #[test]
@@ -526,6 +549,7 @@ fn files_that_are_earlier_by_the_table_of_times_than_by_their_names_are_listed()
         policy.times.push(TimeLine {
             keys: vec![(TimeKey::Id, "ada".into())],
             at: format!("2026-11-20T{time}:00Z").parse().ok(),
+            said: String::new(),
         });
         let concerns = rows(&roll, &records(&[("one", 60)])).concerns;
         let of_name = concerns
