@@ -176,14 +176,15 @@ impl Roll {
     /// Notes which answers the new lines of the table of times count for.
     pub fn note_times(&mut self) {
         let answers = self.answers();
+        let counted = self.entries.iter().map(|entry| self.line_of(entry));
+        let counted: Vec<_> = counted.zip(&self.entries).collect();
         let mut new = Vec::new();
         for line in self.times() {
             if self.timed.iter().any(|(known, _)| known.is_same(line)) {
                 continue;
             }
-            let of = self.entries.iter().map(Entry::key).zip(&self.entries);
-            let of = of.filter(|(_, entry)| self.line_of(entry) == Some(line));
-            let of = of.map(|(key, _)| (key.to_owned(), answers[key].clone()));
+            let of = counted.iter().filter(|(its, _)| *its == Some(line));
+            let of = of.map(|(_, entry)| (entry.key().into(), answers[entry.key()].clone()));
             new.push((line.clone(), of.collect()));
         }
         self.timed.extend(new);

@@ -29,8 +29,8 @@ pub fn meant<'a>(name: &str, named: &NamePattern, index: &Index<'a>) -> (Proof, 
     }
 }
 
-/// Whether a group's name, or another person's id or login, may stand in the name of a clone. If the instructor has named
-/// a folder just after an id, it has this name.
+/// Whether a group's name, or another person's id or login, may stand in the name of a clone. If no
+/// pattern is given, folders are named after ids, and hold nothing else.
 pub fn may_be_anothers(name: &str, named: &NamePattern, index: &Index) -> bool {
     let (own, key) = part(name, named);
     let is_group = || key == Key::GitHub && !Key::Group.owners(own, index).1.is_empty();
