@@ -44,10 +44,18 @@ pub struct TimeLine {
 }
 
 impl TimeLine {
-    /// Whether both say the same of a person. The policy's time zone may have been corrected.
+    /// Whether both say the same of a person, and not of different submissions. The policy's time zone
+    /// may have been corrected.
     pub fn is_same(&self, other: &TimeLine) -> bool {
+        let submission = |line: &TimeLine| {
+            let mut keys = line.keys.iter();
+            keys.find(|(kind, _)| *kind == TimeKey::Submission).cloned()
+        };
+        let of = submission(self).zip(submission(other));
         let has_key = self.keys.iter().any(|key| other.keys.contains(key));
-        has_key && (self.said == other.said || self.at == other.at)
+        has_key
+            && of.is_none_or(|(own, other)| own == other)
+            && (self.said == other.said || self.at == other.at)
     }
 
     fn has(&self, (kind, key): &(TimeKey, &String)) -> bool {
